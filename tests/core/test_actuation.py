@@ -62,6 +62,27 @@ def test_a_prediction_is_what_the_simulated_actuator_makes_of_the_exported_volts
     assert error < 1e-3
 
 
+def test_spectra_and_levels_are_over_the_same_record_however_long_an_actuator_rings():
+    names = ("selected_spectra", "selected_axis_spectra", "output_band_rms", "line_wave")
+    lengths = ("record_samples", "response_samples", "output_rms", "output_levels_db")
+    view, tops, rows = replace(SEEN, axes="z"), [], [4, 19]
+    for through in (None, actuation(equaliser=INVERSE)):
+        design = replace(design_of(tone()), actuation=through)
+        values = ss.evaluate(design, *names, *lengths, view=view)
+        _, lines = values["selected_spectra"]
+        finer = values["response_samples"] / values["record_samples"]
+        rms = np.sqrt(np.square(lines).sum(axis=-1) / 2.0 / finer)
+        np.testing.assert_allclose(rms, values["output_rms"][rows], rtol=1e-4)
+        np.testing.assert_allclose(values["selected_axis_spectra"][1][:, 2], lines)
+        in_bands = np.linalg.norm(values["output_band_rms"][1][rows, 0], axis=-1)
+        np.testing.assert_allclose(in_bands, rms, rtol=1e-4)
+        levels_db = values["output_levels_db"][rows]
+        np.testing.assert_allclose(values["line_wave"].wave.level_db, levels_db)
+        tops.append(lines.max(axis=-1))
+    assert finer > 2.0
+    np.testing.assert_allclose(*tops, rtol=0.005)
+
+
 def test_without_an_actuator_nothing_changes_by_a_bit_and_no_work_is_added():
     design = design_of(tone(), tone(3, 60.0))
     off = replace(design, actuation=actuation(equaliser=INVERSE, on=False))

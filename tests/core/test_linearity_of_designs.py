@@ -104,6 +104,9 @@ def test_a_linear_response_is_the_same_once_divided_and_a_line_through_zero():
     rms = np.sqrt(np.mean(unit**2, axis=-1))
     assert np.allclose(result.rms, result.strengths[:, None] * rms)
     assert np.allclose(result.line, result.rms)
+    shorter = proportion(x, x[:, None, None] * unit, RATE_HZ, None, 100)
+    for name in ("rms", "line", "band_rms", "band_line"):
+        assert np.allclose(getattr(shorter, name), 2.0 * getattr(result, name))
     assert np.nanmin(result.adjusted_r2) > 1.0 - 1e-12
 
 

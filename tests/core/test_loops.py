@@ -112,11 +112,15 @@ def test_at_its_own_speed_an_animation_shows_one_period_of_a_steady_tone_without
     assert animation_of(tones(0.03), ss.View(slow_motion=0.0, delay_removed=True))[0] == 0.0
 
 
-def test_spectra_have_the_tone_on_top():
-    design = tones(0.5)
-    frequency_hz, levels_db = loop_of(design, moving(design)).spectra((29, 30))
-    assert levels_db.shape == (2, frequency_hz.size)
-    np.testing.assert_allclose(frequency_hz[levels_db.argmax(axis=1)], HZ, atol=3.0)
+def test_spectra_have_the_tone_on_top_as_high_in_designs_of_any_length():
+    heights_db = []
+    for silence in ((), (ss.track(8, ss.waveforms.Tap(), onset_s=2.0, amplitude=0.0),)):
+        design = replace(tones(0.5), inputs=(*tones(0.5).inputs, *silence))
+        frequency_hz, levels_db = loop_of(design, moving(design)).spectra((29, 30))
+        assert levels_db.shape == (2, frequency_hz.size)
+        np.testing.assert_allclose(frequency_hz[levels_db.argmax(axis=1)], HZ, atol=3.0)
+        heights_db.append(levels_db.max(axis=1))
+    np.testing.assert_allclose(*heights_db, atol=0.2)
 
 
 def test_of_a_motion_the_part_with_the_most_energy_is_found():

@@ -373,17 +373,20 @@ def output_band_rms(
     axis_numbers: tuple[int, ...],
     limb_data: Limb,
     sample_rate_hz: float,
+    record_samples: int,
     stop: Stop,
 ) -> tuple[Floats, Floats] | None:
     """Middles of bands of 2 Hz, Hz, and RMS of outputs in each, (n_outputs, n_axes, n_bins), m/s².
 
-    See `band_rms`.  None for a vibration that is too long to be transformed at once.
+    See `band_rms`; over the record of levels.  None for a vibration that is too long to be
+    transformed at once.
     """
     if vibration.streamed is not None:
         return None
     outputs = tuple(range(1, limb_data.n_outputs + 1))
     transforms = vibration.transforms(outputs, axis_numbers, stop)
-    return band_rms(transforms, vibration.n_times, sample_rate_hz, limb_data.band_hz)
+    frequency_hz, rms = band_rms(transforms, vibration.n_times, sample_rate_hz, limb_data.band_hz)
+    return frequency_hz, rms * np.sqrt(vibration.n_times / record_samples)
 
 
 def output_main_axes(axis_traces: Floats, axis_numbers: tuple[int, ...]) -> MainAxes | None:
@@ -648,6 +651,7 @@ def line_wave(
     limb_data: Limb,
     above_noise_db: Floats | None,
     sample_rate_hz: float,
+    record_samples: int,
     stop: Stop,
 ) -> LineWave | None:
     """Wave along the line of the selected outputs; None: fewer than two have a position.
@@ -663,7 +667,9 @@ def line_wave(
     mm_per_px = limb_data.hand_length_mm / limb_map.hand_length_px
     # An imported limb may lack z: its last axis is taken.
     axis = limb_data.axes.index("z") if "z" in limb_data.axes else limb_data.n_axes - 1
-    traces = vibration.traces(outputs, (axis,), stop)[:, 0]
+    # Levels are over the record, whatever rings beyond it.
+    over_record = np.sqrt(vibration.n_times / record_samples)
+    traces = over_record * vibration.traces(outputs, (axis,), stop)[:, 0]
     trusted = None if above_noise_db is None else above_noise_db[rows] >= LEAST_ABOVE_NOISE_DB
     distance_mm = line_distances_mm(places[rows], mm_per_px)
     wave = travelling_wave(

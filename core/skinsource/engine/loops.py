@@ -97,11 +97,14 @@ class Loop:
         return times_s, vectors[:, 0] if self.signed else np.linalg.norm(vectors, axis=1)
 
     def spectra(self, outputs: tuple[int, ...]) -> tuple[Floats, Floats]:
-        """Return frequencies, (n_bins,), in Hz, and levels of outputs, (n_outputs, n_bins), dB."""
+        """Return frequencies, (n_bins,), in Hz, and levels of outputs, (n_outputs, n_bins), dB.
+
+        They are over the same time, 1 s, however long designs are that are compared.
+        """
         signals = self.moving.signals[np.array(outputs, dtype=int) - 1]
-        n_times = signals.shape[-1]
-        magnitude = np.linalg.norm(np.abs(scipy.fft.rfft(signals)), axis=1) / n_times
-        return scipy.fft.rfftfreq(n_times, 1.0 / self.moving.sample_rate_hz), decibels(magnitude)
+        rate_hz = self.moving.sample_rate_hz
+        magnitude = np.linalg.norm(np.abs(scipy.fft.rfft(signals)), axis=1) / rate_hz
+        return scipy.fft.rfftfreq(signals.shape[-1], 1.0 / rate_hz), decibels(magnitude)
 
     def loudest_after_s(self, part_s: float) -> float:
         """Return after which time the part of that length with the most energy begins."""

@@ -85,10 +85,12 @@ def selected_spectra(
     selected_projection: Projection,
     selected_traces: Floats,
     sample_rate_hz: float,
+    record_samples: int,
     stop: Stop,
 ) -> tuple[Floats, Floats]:
     """Frequencies, (n_bins,), in Hz, and magnitudes, (n_selected, n_bins), in m/s².
 
+    They are over the record of levels: what actuators ring beyond it counts, its length does not.
     A projection is linear, so that it follows from the transforms of the axes.  A magnitude is not;
     it and the traces of a long response are transformed themselves.
     """
@@ -98,7 +100,7 @@ def selected_spectra(
         transforms = forward(selected_traces, vibration.n_times)
     else:
         transforms = vibration.projected_transforms(shown_outputs, selected_projection)
-    return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
+    return _over_record(transforms, vibration, sample_rate_hz, record_samples)
 
 
 def selected_peak_spectra(
@@ -113,6 +115,7 @@ def selected_axis_spectra(
     shown_outputs: tuple[int, ...],
     limb_data: Limb,
     sample_rate_hz: float,
+    record_samples: int,
     stop: Stop,
 ) -> tuple[Floats, Floats]:
     """Like `selected_spectra` along each axis of the limb, magnitudes (n_selected, n_axes, n_bins).
@@ -120,7 +123,7 @@ def selected_axis_spectra(
     They do not depend on the chosen axes.
     """
     transforms = vibration.transforms(shown_outputs, tuple(range(limb_data.n_axes)), stop)
-    return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
+    return _over_record(transforms, vibration, sample_rate_hz, record_samples)
 
 
 def selected_axis_peak_spectra(
@@ -166,3 +169,11 @@ def trace_error(
         for player, response, factor in zip(moving, to_places, factors, strict=True)
     ]
     return trace_error_of(axis_traces, shown_outputs, axis_numbers, exact_voices)
+
+
+def _over_record(
+    transforms: Complexes, vibration: Vibration, sample_rate_hz: float, record_samples: int
+) -> tuple[Floats, Floats]:
+    frequency_hz, magnitude = one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
+    magnitude *= vibration.n_times / record_samples
+    return frequency_hz, magnitude

@@ -996,16 +996,25 @@ def joint_of(designs: Sequence[Design]) -> int | None:
 
 
 def proportion(
-    strengths: Sequence[float], responses: Floats, sample_rate_hz: float, band_hz: Band | None
+    strengths: Sequence[float],
+    responses: Floats,
+    sample_rate_hz: float,
+    band_hz: Band | None,
+    record_samples: int | None = None,
 ) -> Proportion:
-    """Compare responses, (n_strengths, n_channels, n_times), with the strengths of the input."""
+    """Compare responses, (n_strengths, n_channels, n_times), with the strengths of the input.
+
+    Each RMS is over ``record_samples``; None: over all.
+    """
     order = np.argsort(strengths, kind="stable")
     x, y = np.asarray(strengths, float)[order], responses[order]
     divided = y / x[:, None, None]
-    rms = np.sqrt(np.mean(np.square(y), axis=-1))
+    over_record = np.sqrt(y.shape[-1] / (record_samples or y.shape[-1]))
+    rms = over_record * np.sqrt(np.mean(np.square(y), axis=-1))
     slope, offset, _ = straight_lines(x[:, None], rms)
     transforms = scipy.fft.rfft(y)
     frequency_hz, in_bands = band_rms(transforms, y.shape[-1], sample_rate_hz, band_hz)
+    in_bands *= over_record
     levels = x[:, None, None]
     of_band, above, adjusted_r2 = straight_lines(levels, in_bands)
     return Proportion(

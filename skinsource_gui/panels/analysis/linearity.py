@@ -608,6 +608,7 @@ _NEEDS = frozenset(
         "axis_traces",
         "delay_removed",
         "fastest_probe_m_per_s",
+        "record_samples",
         "response_time_s",
         "sample_rate_hz",
         "shown_outputs",
@@ -742,8 +743,10 @@ class LinearityView(FigureView):
         self._outputs, self._axes = longest["shown_outputs"], tuple(axes)
         time_s = self._time_s(longest, limb.pre_trigger_delay_s)
         if strengths:
-            rate_hz = longest["sample_rate_hz"]
-            self.result = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
+            rate_hz, record_samples = longest["sample_rate_hz"], longest["record_samples"]
+            self.result = shown = proportion(
+                strengths, np.stack(channels), rate_hz, limb.band_hz, record_samples
+            )
             fastest = results[0]["fastest_probe_m_per_s"]
             self.velocity.setVisible(bool(fastest))
             factors = any(is_gain(design, track) for track in design.inputs)

@@ -722,7 +722,9 @@ class StagePanel(MapsPanel):
         self._sunk = False
         designs = [side.snapshot.design for side in self.compared]
         bands = dict(dict(self.view.panels).get("linearity", ())).get("bands")
-        if bands and (fits := _fits_of(designs, [loop for _, loop, _ in known], outputs[0])):
+        loops = [loop for _, loop, _ in known]
+        record_samples = (self.compared[0].values or {}).get("record_samples")
+        if bands and (fits := _fits_of(designs, loops, outputs[0], record_samples)):
             curves, x, y = fits, fits[0].x, [curve.y for curve in fits]
             low, top = float(np.min(y)), float(np.max(y))
             ends = (x[0] - 0.1, x[-1] + 0.1), (low - 0.1, top + 0.1)
@@ -811,7 +813,9 @@ def _in_rows(side: Compared, loop: Loop, curves: list[Curve], rows: list[int]) -
     return drawn
 
 
-def _fits_of(designs: Sequence[Design], loops: Sequence[Loop], output: int) -> list[Curve]:
+def _fits_of(
+    designs: Sequence[Design], loops: Sequence[Loop], output: int, record_samples: int | None
+) -> list[Curve]:
     """Return dots of an output over the input, in some bands, and their lines; all logarithms.
 
     There are none where designs differ in more than their strength, or along several axes.
@@ -821,7 +825,7 @@ def _fits_of(designs: Sequence[Design], loops: Sequence[Loop], output: int) -> l
         return []
     responses = np.stack([loop.moving.signals[output - 1] for loop in loops])
     rate_hz, band_hz = loops[0].moving.sample_rate_hz, facts_of(designs[0].limb).band_hz
-    result = proportion(strengths, responses, rate_hz, band_hz)
+    result = proportion(strengths, responses, rate_hz, band_hz, record_samples)
     x, curves = np.log10(result.strengths), list[Curve]()
     for band in bands_shown(result, 0):
         y, dots = np.log10((result.band_line[:, 0, band], result.band_rms[:, 0, band]))

@@ -135,7 +135,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         kind=_kind(settings),
         span=span_shown,
         level_text=_RELATIVE_LEVEL_TEXT if settings.relative else LEVEL_TEXT,
-        scaling=tuple(f"{heading[1]} · {text}" for text in _scaling(settings, span, frequency_hz)),
+        scaling=tuple(f"{heading[1]} · {text}" for text in _scaling(settings, results)),
         columns=_columns(results["outputs"], axes) if columns else (),
         about=lazy_lines(results, *notes, each_axis=each_axis),
         heading=heading,
@@ -154,13 +154,15 @@ def measured_between(
     first, last = np.searchsorted(frequency_hz, between_hz)
     part = slice(min(first, frequency_hz.size - 1), max(last, first + 1))
     curves = magnitude.reshape(-1, frequency_hz.size)[:, part]
+    # Of what rings longer than the record there are more lines.
+    finer = results["response_samples"] / results["record_samples"]
     rows = []
     for curve in curves:
         at = int(curve.argmax())
         peak, at_hz = float(curve[at]), float(frequency_hz[part][at])
         omega = 2.0 * np.pi * at_hz
         # Lines of a spectrum are amplitudes, those of a peak hold are not there at the same time.
-        rms = float(np.sqrt(np.sum(np.square(curve)) / 2.0)) if span == "record" else None
+        rms = float(np.sqrt(np.sum(np.square(curve)) / 2.0 / finer)) if span == "record" else None
         moves = (
             f", {significant(peak / omega * 1e3)} mm/s, {significant(peak / omega**2 * 1e6)} µm"
             if omega
@@ -190,12 +192,12 @@ def notes_of(results: Mapping[str, Any], settings: SpectraSettings) -> tuple[str
     return _RECTIFIED if rectified and settings.layout != "axes" else ()
 
 
-def _scaling(settings: SpectraSettings, span: Span, frequency_hz: Floats) -> tuple[str, ...]:
+def _scaling(settings: SpectraSettings, results: Mapping[str, Any]) -> tuple[str, ...]:
     """Return what heights mean, longest first."""
-    texts = _SCALINGS[span]
-    if span == "record" and frequency_hz.size > 1:
-        # Longer than that of levels where actuators ring.
-        texts = (*(f"{text}, {round(1 / frequency_hz[1], 2):g} s" for text in texts), texts[-1])
+    texts = _SCALINGS[results["span"]]
+    if results["span"] == "record":
+        record_s = results["record_samples"] / results["sample_rate_hz"]
+        texts = (*(f"{text}, {round(record_s, 2):g} s" for text in texts), texts[-1])
     return tuple(f"{text}, {_AVERAGED}" for text in texts) if settings.averaged else texts
 
 
@@ -277,7 +279,7 @@ class SpectraPanel(SignalPanel):
     def needs(self) -> frozenset[str]:
         # Texts around the curves come with the curves.
         spectra = quantity_of(self.settings, self._view.span)
-        return frozenset({spectra, "outputs", "sample_rate_hz"}) | DESCRIPTION_QUANTITIES
+        return frozenset({spectra, "outputs", "response_samples"}) | DESCRIPTION_QUANTITIES
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)

@@ -47,10 +47,11 @@ def test_a_point_of_another_shape_has_a_level_and_no_delay_that_counts():
 
 def test_points_of_a_line_count_from_six_decibels_above_the_noise():
     design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, duration_s=0.1),))
-    values = ss.evaluate(design, "vibration", "limb_data")
+    values = ss.evaluate(design, "vibration", "limb_data", "record_samples")
     above_db = np.full(72, 40.0)
     above_db[21], above_db[23] = 5.99, 6.0
-    line = line_wave(values["vibration"], LINE, values["limb_data"], above_db, RATE, never)
+    known = values["limb_data"], above_db, RATE, values["record_samples"]
+    line = line_wave(values["vibration"], LINE, *known, never)
     assert list(line.wave.counted) == [True, False, True, True]
 
 

@@ -196,11 +196,14 @@ def test_spectra_tell_peak_its_frequency_and_the_rms_of_the_band(spectra, option
         assert rms == pytest.approx(np.sqrt(np.sum(curve[inside] ** 2) / 2), rel=0.01)
 
 
-def test_the_rms_between_all_frequencies_is_that_of_the_record():
+@pytest.mark.parametrize("longer", [1, 3])
+def test_the_rms_between_all_frequencies_is_that_of_the_record_whatever_rings_beyond_it(longer):
     signal = ss.sinusoid(130.0, duration_s=0.5) + 0.5 * ss.sinusoid(260.0, duration_s=0.5)
-    frequency_hz, magnitude = ss.magnitude_spectrum(signal[None], 1300.0)
+    response = np.pad(signal, (0, (longer - 1) * signal.size))
+    frequency_hz, magnitude = ss.magnitude_spectrum(response[None], 1300.0)
     results = bench.spectra_for(bench.SIGNED) | {
-        "selected_spectra": (frequency_hz, magnitude),
+        "selected_spectra": (frequency_hz, longer * magnitude),
+        "response_samples": response.size,
         "outputs": (29,),
     }
     line = measured_between(results, SpectraSettings(), (0.0, 650.0)).details[0]
