@@ -800,9 +800,10 @@ def _in_rows(side: Compared, loop: Loop, curves: list[Curve], rows: list[int]) -
     signals = moving.signals[:, 0] if loop.signed else np.linalg.norm(moving.signals, axis=1)
     # Noise never arrives.
     heard = signals[rows] * ~np.isin(rows, noisy)[:, None]
-    delays_s = arrivals(heard, moving.sample_rate_hz)
     clips = side.snapshot.design.clips
     onset_s = min((clip.onset_s for clip in clips), default=0.0) + moving.delay_s
+    first_s = moving.first / moving.sample_rate_hz
+    delays_s = arrivals(heard, moving.sample_rate_hz, onset_s - first_s)
     for curve, delay_s in zip(curves, delays_s, strict=True):
         curve = replace(curve, y=_REACH[1] * curve.y / (np.abs(curve.y).max() or 1.0))
         if np.isfinite(delay_s):

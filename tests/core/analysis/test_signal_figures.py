@@ -10,7 +10,12 @@ from skinsource.signals.analysis.noise import noise_rms, quiet_rms
 from skinsource.signals.analysis.spectrogram import MOST_COLUMNS, spectrogram
 from skinsource.signals.analysis.statistics import crest_factor, dominant_frequency, onset_time
 from skinsource.signals.analysis.transfer import transfer_function
-from skinsource.signals.analysis.wave_speed import line_distances_mm, straightness, travelling_wave
+from skinsource.signals.analysis.wave_speed import (
+    arrivals,
+    line_distances_mm,
+    straightness,
+    travelling_wave,
+)
 from skinsource.signals.projection import ellipse, main_axes
 from skinsource.studies.checking import straight_lines
 
@@ -269,6 +274,15 @@ def test_delays_that_the_way_does_not_explain_have_no_speed():
     assert wave.explained < 0.5
     assert np.isnan(wave.speed_m_per_s)
     assert np.isfinite(wave.attenuation_db_per_cm)
+
+
+def test_what_moves_before_its_group_delay_has_passed_does_not_arrive_then():
+    burst = np.sin(2 * np.pi * 100.0 * np.arange(390) / RATE) * np.exp(-np.arange(390) / 65.0)
+    first, late = np.pad(burst, (130, 780)), np.pad(burst, (260, 650))
+    signals = np.stack((first, late + 0.1 * first, late + 0.3 * first))
+    delay_s = arrivals(signals, RATE, 0.1)
+    assert delay_s[1] == pytest.approx(0.1, abs=1e-3)
+    assert np.isnan(delay_s[2])
 
 
 def test_a_way_to_and_fro_has_no_speed_and_a_bent_one_has():

@@ -64,11 +64,12 @@ def test_arrivals_in_figure_2a_hardly_jump_between_frequencies(measured, limb):
         played = design.with_input(0, clips=(replace(clip, waveform=tone),))
         found = ss.evaluate(played, "moving_z", "above_noise_db", view=opened.view)
         moving, above_db = found["moving_z"], found["above_noise_db"]
-        delay_s = arrivals(moving.signals[rows, 0], moving.sample_rate_hz)
+        begin_s = clip.onset_s + moving.delay_s
+        delay_s = arrivals(moving.signals[rows, 0], moving.sample_rate_hz, begin_s)
         if above_db is not None:
             delay_s[above_db[rows] < LEAST_ABOVE_NOISE_DB] = np.nan
         delays_s.append(delay_s)
-    assert np.isfinite(delays_s).mean() > 0.7
+    assert np.isfinite(delays_s).mean() > 0.6
     assert -0.004 < np.nanmin(delays_s) <= np.nanmax(delays_s) < 0.025
     assert np.nanmax(np.abs(np.diff(delays_s, axis=0))) < 0.02
 

@@ -13,7 +13,7 @@ from skinsource.cli.command_line import main
 from skinsource.design.design import shown_snapshot
 from skinsource.design.design_file import open_design
 from skinsource.design.panel_settings import stage_settings
-from skinsource.studies.scenes.scenes import FINDINGS, _later_and_weaker, path_of
+from skinsource.studies.scenes.scenes import FINDINGS, _delay_and_loss, path_of
 
 MEASURED = tuple(name for name in LIMB_NAMES if name.startswith("measured"))
 NAMES = ss.scenes.names()
@@ -149,11 +149,11 @@ def test_a_sentence_on_travel_tells_the_group_delay_and_not_where_a_tone_is_larg
     tone = np.sin(2 * np.pi * 200.0 * times_s) * (times_s < 0.1)
     # The later one comes after 8 ms, and goes on growing.
     traces = np.stack([tone, np.roll(tone * (0.5 + 0.1 * times_s), 80)])
-    text = _later_and_weaker(traces[:, None], 1e4, 3, 5)
+    text = _delay_and_loss(0.0, traces[:, None], 1e4, 3, 5)
     assert "8 ms later (group delay)" in text
     # Of another shape there is no delay.
     traces[1] = np.random.default_rng(1).standard_normal(2000)
-    assert "later" not in _later_and_weaker(traces[:, None], 1e4, 3, 5)
+    assert "later" not in _delay_and_loss(0.0, traces[:, None], 1e4, 3, 5)
 
 
 @pytest.mark.parametrize("name", ["5D", "5E", "5F"])

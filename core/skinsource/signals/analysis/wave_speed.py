@@ -15,8 +15,8 @@ LEAST_ALIKE = 0.5
 LEAST_EXPLAINED = 0.5
 #: Least distance of the ends of a line, as a share of its length, for a speed.
 LEAST_STRAIGHT = 0.5
-# A first signal begins with this share of its energy; others move so little before they arrive.
-_BEGUN, _EARLY = 0.02, 0.15
+# What moves more than this share of its peak before its group delay does not arrive then.
+_EARLY = 0.2
 _MM_PER_CM = 10.0
 
 
@@ -178,17 +178,17 @@ def group_delays(data: Floats, rate: float, stop: Stop = never) -> tuple[Floats,
     return delay_s, alike
 
 
-def arrivals(data: Floats, rate: float) -> Floats:
+def arrivals(data: Floats, rate: float, onset_s: float) -> Floats:
     """Return group delays to the first signal in s, where they are arrivals; NaN: they are not.
 
-    Signals of another shape have none, nor those that move before, as near a notch of a response.
+    Signals of another shape have none, nor those that move before the delay after ``onset_s`` has
+    passed, as near a notch of a response.
     """
     delay_s, alike = group_delays(data, rate)
-    energy = np.cumsum(np.square(data), axis=-1)
-    begins, samples = np.searchsorted(energy[0], _BEGUN * energy[0, -1]), np.arange(data.shape[-1])
-    pairs = zip(begins + rate * delay_s, energy, strict=True)
-    early = np.array([np.interp(at, samples, sums) for at, sums in pairs])
-    arrives = (alike >= LEAST_ALIKE) & (early <= _EARLY * energy[:, -1])
+    reached, samples = np.maximum.accumulate(np.abs(data), axis=-1), np.arange(data.shape[-1])
+    pairs = zip(rate * (onset_s + delay_s), reached, strict=True)
+    early = np.array([np.interp(at, samples, peaks) for at, peaks in pairs])
+    arrives = (alike >= LEAST_ALIKE) & (early <= _EARLY * reached[:, -1])
     return np.where(arrives, delay_s, np.nan)
 
 

@@ -372,12 +372,19 @@ def _high_frequencies(traces: Floats, rate_hz: float, near: int, far: int) -> st
     )
 
 
-def _later_and_weaker(traces: Floats, rate_hz: float, near: int, far: int) -> str:
+def _later_and_weaker(opened: OpenedScene) -> str:
+    design = opened.design
+    onset_s = min(clip.onset_s for clip in design.clips)
+    begin_s = onset_s + facts_of(design.limb).pre_trigger_delay_s
+    return _at_the_ends(opened, partial(_delay_and_loss, begin_s))
+
+
+def _delay_and_loss(begin_s: float, traces: Floats, rate_hz: float, near: int, far: int) -> str:
     (traces,) = np.moveaxis(traces, 1, 0)
     peaks = np.abs(scipy.signal.hilbert(traces)).max(axis=1)
     weaker_db = float(-np.diff(decibels(peaks))[0])
     # Where the largest sample of a long tone lies is no time of travel.
-    later_ms = 1e3 * float(arrivals(traces, rate_hz)[1])
+    later_ms = 1e3 * float(arrivals(traces, rate_hz, begin_s)[1])
     delay = (
         f", and it comes {abs(later_ms):.0f} ms {'later' if later_ms > 0.0 else 'earlier'} (group "
         "delay)"
@@ -452,7 +459,7 @@ def _at_least(name: str, values: Floats | None) -> str:
 FINDINGS: dict[str, Callable[[OpenedScene], str]] = {
     "1D": partial(_at_the_ends, text=_high_frequencies, all_axes=True),
     "1G": _carried,
-    "2A": partial(_at_the_ends, text=_later_and_weaker),
+    "2A": _later_and_weaker,
     "2C": partial(_at_the_ends, text=_mean_frequencies),
     "2F": _interference,
     "5D": _straightness,
