@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import Design, View, evaluate, track
+from skinsource import View
 from skinsource.base.errors import InvalidInputError, Stopped
-from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.time_rules import (
     BLOCK_S,
@@ -223,17 +222,3 @@ def test_it_can_be_stopped_between_blocks():
 
     with pytest.raises(Stopped):
         extremes_between(np.zeros((6, 100_000)), stop=stop)
-
-
-@pytest.mark.parametrize("method", ["mag", "pca"])
-def test_those_of_selected_outputs_belong_to_the_wave_of_their_projection(method):
-    tones = (track(location=3, waveform=Tone(frequency_hz=325.0, duration_s=0.4)),)
-    design = Design(limb="synthetic-1", inputs=tones)
-    view = View(axes="xyz", method=method, outputs=(29, 52))
-    names = "selected_extremes", "axis_traces", "selected_projection", "response_time_s"
-    quantities = evaluate(design, *names, view=view)
-    dense = finer(quantities["response_time_s"], quantities["axis_traces"])[1]
-    expected = dense_extremes(quantities["selected_projection"].signals(dense))
-    peak = np.abs(dense).max()
-    for got, values in zip(of(quantities["selected_extremes"]), expected, strict=True):
-        np.testing.assert_allclose(got, values, rtol=0, atol=2 * FILTER_ERROR * peak)

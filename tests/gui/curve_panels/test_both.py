@@ -22,6 +22,7 @@ from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels import bench
 from tests.gui.signal_view.test_navigation import choose, open_menu
+from tests.gui.skin.bench import drag
 
 
 class Kind(NamedTuple):
@@ -110,24 +111,21 @@ def test_outputs_near_the_noise_are_pale_and_the_plot_says_so(show, kind):
 BETWEEN_S, BETWEEN_HZ = (0.08, 0.12), (60.0, 200.0)
 
 
-def with_cursors(name, settings):
-    return with_settings(bench.SIGNED, name, settings)
+def with_cursors(qtbot, kind, settings):
+    show = bench.opener(qtbot, *kind)
+    return lambda at=None, **options: show(
+        with_settings(bench.SIGNED, kind.panel.name, settings(cursors=at, **options))
+    )
 
 
 @pytest.fixture
 def traces(qtbot):
-    show = bench.opener(qtbot, TracesPanel, bench.SIGNED, bench.traces_for)
-    return lambda at=None, **options: show(
-        with_cursors("traces", TracesSettings(cursors=at, **options))
-    )
+    return with_cursors(qtbot, TRACES, TracesSettings)
 
 
 @pytest.fixture
 def spectra(qtbot):
-    show = bench.opener(qtbot, SpectraPanel, bench.SIGNED, bench.spectra_for)
-    return lambda at=None, **options: show(
-        with_cursors("spectra", SpectraSettings(cursors=at, **options))
-    )
+    return with_cursors(qtbot, SPECTRA, SpectraSettings)
 
 
 def legend_of(panel):
@@ -219,12 +217,8 @@ def test_the_menu_brings_cursors_takes_them_away_and_copies_what_they_read(trace
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     choose(signals, "Cursors")
     low, high = settings_of(panel.views[-1], "traces", TracesSettings).cursors
-    assert (
-        bench.plot_of(panel).x_window.extent[0]
-        < low
-        < high
-        < bench.plot_of(panel).x_window.extent[1]
-    )
+    first, last = bench.plot_of(panel).x_window.extent
+    assert first < low < high < last
     choose(signals, "Copy what cursors read")
     copied = QApplication.clipboard().text().splitlines()
     assert copied == [legend_of(panel).where, *legend_of(panel).details]
@@ -259,10 +253,7 @@ def test_a_cursor_follows_the_mouse_on_any_axis(spectra, log):
 
     viewport = plot.viewport()
     QTest.mouseMove(viewport, at(BETWEEN_HZ[1]))
-    QTest.mousePress(viewport, Qt.MouseButton.LeftButton, pos=at(BETWEEN_HZ[1]))
-    for hz in (250.0, 300.0):
-        QTest.mouseMove(viewport, at(hz))
-    QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=at(300.0))
+    drag(viewport, at(BETWEEN_HZ[1]), at(300.0))
     low_hz, high_hz = settings_of(panel.views[-1], "spectra", SpectraSettings).cursors
     assert low_hz == pytest.approx(BETWEEN_HZ[0])
     assert high_hz == pytest.approx(300.0, rel=0.05)

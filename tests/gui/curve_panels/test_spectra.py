@@ -94,17 +94,12 @@ def test_the_spectrum_of_a_magnitude_says_that_it_is_rectified(show, axes, metho
         assert notes[0] == "spectrum of a magnitude: rectified, shows doubled frequencies"
 
 
-def noisy(n_times=650):
-    noise = np.random.default_rng(3).standard_normal((2, n_times))
-    return magnitude_spectrum(noise, 1300.0)
-
-
 def test_a_spectrum_can_be_drawn_as_the_mean_of_neighbouring_bins(show):
     panel = show()
-    frequency_hz, magnitude = noisy()
-    panel.show_results(
-        {**bench.spectra_for(bench.LINEAR), "selected_spectra": (frequency_hz, magnitude)}
+    _, magnitude = noisy = magnitude_spectrum(
+        np.random.default_rng(3).standard_normal((2, 650)), 1300.0
     )
+    panel.show_results({**bench.spectra_for(bench.LINEAR), "selected_spectra": noisy})
     choose(panel.findChild(SignalView), "Mean of 10 bins")
     assert settings_of(panel.views[-1], "spectra", SpectraSettings).averaged
     drawn = bench.plot_of(panel).curves.y

@@ -17,6 +17,7 @@ from skinsource_gui.plots.signal_view import SignalView, _legend_lines, copy_of
 from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import SIGNED, click, header_of, opener, plot_of, traces_for
 from tests.gui.signal_view.test_navigation import choose
+from tests.gui.skin.bench import drag
 
 
 @pytest.fixture
@@ -87,9 +88,7 @@ def test_a_zoom_survives_new_data_and_is_left_by_the_button(show):
     plot = plot_of(panel)
     leave = panel.findChild(QToolButton, "show-all")
     assert not leave.isVisible()
-    QTest.mousePress(plot.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(120, 60))
-    QTest.mouseMove(plot.viewport(), QPoint(220, 60))
-    QTest.mouseRelease(plot.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(220, 60))
+    drag(plot.viewport(), QPoint(120, 60), QPoint(220, 60))
     zoom = panel.views[-1].time_range_s
     assert plot.x_window.shown == pytest.approx(zoom)
     panel.show_results(traces_for(panel.views[-1], n_times=2000, amplitude=3.0))
@@ -181,30 +180,17 @@ def test_the_peaks_to_which_curves_are_relative_are_said_with_their_unit(show):
 TONE = Tone(frequency_hz=325.0, phase_rad=0.7853981633974483, duration_s=0.6)
 
 
-OUTPUTS = 20, 26
-
-
-@pytest.fixture
-def panel(qtbot):
-    made = TracesPanel()
-    qtbot.addWidget(made)
-    made.resize(240, 300)
-    made.show()
-    qtbot.waitExposed(made)
-    return made
-
-
 @pytest.mark.parametrize(
     ("method", "layout", "relative"),
     [("mag", "overlaid", True), ("mag", "stacked", False), ("pca", "stacked", True)],
 )
-def test_curves_reach_as_far_as_the_wave(panel, method, layout, relative):
+def test_curves_reach_as_far_as_the_wave(show, method, layout, relative):
+    panel = show()
     design = Design(limb="synthetic-1", inputs=(track(location=8, waveform=TONE),))
-    view = View(axes="xyz", method=method, outputs=OUTPUTS)
-    settings = TracesSettings(layout=layout, relative=relative)
-    view = with_settings(view, panel.name, settings)
-    results = evaluate(design, *panel.needs, view=replace(view, outputs=OUTPUTS))
+    view = View(axes="xyz", method=method, outputs=(20, 26))
+    view = with_settings(view, panel.name, TracesSettings(layout=layout, relative=relative))
     panel.show_state(design, view)
+    results = evaluate(design, *panel.needs, view=view)
     panel.show_results(results)
     plot = panel._plot.plot
     dense_s, axes = finer(results["response_time_s"], results["axis_traces"])

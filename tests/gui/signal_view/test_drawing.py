@@ -251,21 +251,15 @@ def test_the_extremes_of_a_wave_are_found_once_for_all_who_draw_it():
     assert other.sizes[0, 0] == pytest.approx(2 * first.sizes[0, 0])
 
 
-def envelope(plot, rank, n_windows=40):
+def envelope(signals, rank, n_windows=40):
     """Highest value in each of some parts of the visible width.
 
     Not where the record begins and ends hard: there it rings.
     """
-    rows = plot.stack.rows
-    curve = [curve for row in rows for curve in row.curves[: row.n_curves]][rank]
-    scale, (low, high) = plot.value_scale, plot.value_scale.values
-    parts = (curve.points.y - scale.edge) / (1 - 2 * scale.edge)
-    begin, end = plot.x_window.shown
-    at = np.floor((curve.points.x - begin) / (end - begin) * n_windows).astype(int)
-    values = low + parts * (high - low)
-    return np.array(
-        [values[at == k].max() for k in range(n_windows // 5, n_windows - n_windows // 5)]
-    )
+    points, (begin, end) = drawn(signals)[rank].points, signals.plot.x_window.shown
+    at = np.floor((points.x - begin) / (end - begin) * n_windows).astype(int)
+    heights, parts = values(signals, points.y), range(n_windows // 5, n_windows - n_windows // 5)
+    return np.array([heights[at == k].max() for k in parts])
 
 
 @pytest.mark.parametrize(
@@ -286,7 +280,7 @@ def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
         # Blocks end with a whole row of pixels.
         low, high = signals.plot.value_scale.values
         near = EXTREMES_ERROR * peak + (high - low) / signals.plot.places.row(0).height()
-        tops = envelope(signals.plot, rank)
+        tops = envelope(signals, rank)
         assert peak - near <= tops.min() <= tops.max() <= peak + near
     # On paper, where dots are finer, the range is the same.
     paper = copy_of(signals.plot, QSize(900, 600))
@@ -297,4 +291,4 @@ def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
 def test_curves_whose_wave_is_not_known_are_joined_as_they_are(signals):
     curves = replace(sampled(MISSED, 6500), wave=None)
     signals.show_curves(curves, synthetic=False)
-    assert envelope(signals.plot, 0).max() < 0.75
+    assert envelope(signals, 0).max() < 0.75

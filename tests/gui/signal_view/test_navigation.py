@@ -12,6 +12,7 @@ from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.theme import DARK, LIGHT
 from skinsource_gui.qt.wheel import PAUSE_S, ScrollGesture
 from tests.gui.signal_view.bench import FREQUENCY, TIME, left_and_width, turn_wheel, waves
+from tests.gui.skin.bench import drag
 
 
 @pytest.fixture
@@ -92,9 +93,7 @@ def test_a_drag_zooms_to_what_it_covers(signals, qtbot):
     canvas = signals.plot
     left, width = left_and_width(signals)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
-        QTest.mousePress(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(300, 60))
-        QTest.mouseMove(canvas.viewport(), QPoint(200, 62))
-        QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(200, 62))
+        drag(canvas.viewport(), QPoint(300, 60), QPoint(200, 62))
     low, high = asked.args[0]
     assert low == pytest.approx(0.5 * (200 - left) / width)
     assert high == pytest.approx(0.5 * (300 - left) / width)
@@ -142,14 +141,12 @@ def test_the_middle_button_pans_and_stops_at_the_ends(signals):
     asked = []
     signals.zoom_requested.connect(asked.append)
     canvas, (_, width) = signals.plot, left_and_width(signals)
-    QTest.mousePress(canvas.viewport(), Qt.MouseButton.MiddleButton, pos=QPoint(200, 60))
-    QTest.mouseMove(canvas.viewport(), QPoint(150, 60))
-    QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.MiddleButton, pos=QPoint(150, 60))
-    assert asked[-1] == pytest.approx((0.1 + 50 / width * 0.2, 0.3 + 50 / width * 0.2))
-    QTest.mousePress(canvas.viewport(), Qt.MouseButton.MiddleButton, pos=QPoint(60, 60))
-    QTest.mouseMove(canvas.viewport(), QPoint(400, 60))
-    QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.MiddleButton, pos=QPoint(400, 60))
-    assert asked[-1] == pytest.approx((0.0, 0.2))
+    by_s, middle = 50 / width * 0.2, Qt.MouseButton.MiddleButton
+    for start, end, shown_s in ((200, 150, (0.1 + by_s, 0.3 + by_s)), (60, 400, (0.0, 0.2))):
+        QTest.mousePress(canvas.viewport(), middle, pos=QPoint(start, 60))
+        QTest.mouseMove(canvas.viewport(), QPoint(end, 60))
+        QTest.mouseRelease(canvas.viewport(), middle, pos=QPoint(end, 60))
+        assert asked[-1] == pytest.approx(shown_s)
 
 
 def test_double_click_0_and_a_show_everything_and_plus_and_minus_zoom(signals):
