@@ -184,7 +184,7 @@ class AutosaveAndRecovery(QObject):
         if sentences:
             if notice.text:
                 # As of a file that could not be opened at the start.
-                sentences.insert(0, notice.text)
+                sentences.insert(0, f"{notice.text.rstrip('.')}.")
             notice.say(" ".join(sentences), "warning", choices, picture)
 
     def show(self) -> None:

@@ -65,6 +65,7 @@ class Conductor(QObject):
         self._informed: set[Panel] = set()
         document.jumped.connect(self._note_jump)
         document.changed.connect(self._follow)
+        document.refused.connect(self._follow)
         document.settled.connect(self._wait_for_results)
         document.playhead_moved.connect(self._follow_playhead)
         engine.finished.connect(self._deliver)

@@ -14,6 +14,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design import comparing
 from skinsource.design.design import EDITED, Snapshot, louder, shown_snapshot
 from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.edits.view import change_texts
 from skinsource.design.waveforms import Noise, Tone
 
 DESIGN = Design(
@@ -83,6 +84,19 @@ def test_a_snapshot_takes_the_place_of_the_one_with_its_number_and_stands_last()
         (2, OTHER),
         (1, THIRD),
     ]
+
+
+def test_a_new_title_is_that_of_the_shown_snapshot_too_and_of_those_that_have_no_other():
+    design, view = DESIGN, View()
+    for number, stored in enumerate((replace(THIRD, title="Own"), OTHER, DESIGN), 1):
+        design, view = store(stored, view, number)
+    for title in ("Sof", "Soft"):
+        design, view = apply(design, view, change_texts(design, view, title=title))
+        assert shown_snapshot(view.snapshots, design).number == 3
+    design, view = apply(
+        design, view, change_texts(replace(design, limb="synthetic-2"), view, title="b")
+    )
+    assert [each.design.title for each in view.snapshots] == ["Own", "Soft", "Soft"]
 
 
 @pytest.mark.parametrize("edit", ["store_snapshot", "show_snapshot", "forget_snapshot"])

@@ -703,7 +703,8 @@ def lengths_text(compared: Sequence[Compared]) -> str:
     lengths_s = sorted({round(length_s, 2) for side in compared if (length_s := record_s(side))})
     if not lengths_s[1:]:
         return ""
-    return f"over {lengths_s[0]:g} to {lengths_s[-1]:g} s, differences and means over the longest"
+    shortest, *_, longest = lengths_s
+    return f"over {shortest:g} to {longest:g} s; differences and means over {longest:g} s"
 
 
 def _with_lengths(compared: Sequence[Compared], names: Sequence[Names]) -> Sequence[Names]:

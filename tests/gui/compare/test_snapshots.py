@@ -15,6 +15,7 @@ from skinsource.design.comparing import other_snapshot, with_edited
 from skinsource.design.edits.view import rename_snapshot
 from skinsource.design.motions import Sweep
 from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.compare.content import snapshot_names, tab_separated
 from skinsource_gui.state.compared import ELSEWHERE, SILENCE, Compared
 from tests.core.own_limbs.lab_bench import installed
@@ -97,8 +98,11 @@ def test_an_edit_of_a_shown_snapshot_keeps_the_working_design_as_a_snapshot(wind
     assert {each.number for each in document.view.snapshots} == {1, 2, 3, 4}
     window.do("show_snapshot_1")
     shown, count = document.design, document.undo_stack.count()
-    edit(window, 7.0)
+    field = window.panel("inspector").findChild(NumberField, "amplitude_field")
+    for key in ("7", "\r"):
+        QTest.keyClicks(field, key)
     assert (document.design, document.undo_stack.count(), len(refused)) == (shown, count, 1)
+    assert field.text() == "1"
     # Without the shown one, the working design is back.
     document.apply(edits.forget_snapshot(document.design, document.view, 1))
     assert document.design.inputs[0].amplitude == 6.0

@@ -293,6 +293,12 @@ def test_values_that_are_refused_are_marked_with_the_reason_and_not_exported(par
     assert len(part.planned.conditions) == 2
 
 
+def test_the_values_of_a_frequency_fit_into_the_column(part):
+    part.variables[0].choose("frequency_hz")
+    fields = part.findChild(QtWidgets.QScrollArea, "stimulus_fields")
+    assert fields.widget().minimumSizeHint().width() <= fields.viewport().width()
+
+
 def test_a_variable_that_matching_cancels_is_refused(part, qtbot):
     part.output.choose("29")
     part.variables[0].choose("amplitude")

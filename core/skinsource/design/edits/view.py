@@ -267,7 +267,9 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
 
 @refusing
 def change_texts(design: Design, view: View, **texts: Any) -> Edit | Refusal:
-    """Change title or notes of the design.
+    """Change title or notes of the design, and of the snapshots that have none.
+
+    While a snapshot is shown, all that have the same text as it follow.
 
     Examples
     --------
@@ -275,7 +277,23 @@ def change_texts(design: Design, view: View, **texts: Any) -> Edit | Refusal:
     >>> print(change_texts(ss.Design(limb="synthetic-1"), ss.View(), title="Soft").design.title)
     Soft
     """
-    return Edit(label=f"Change {' and '.join(texts)}", design=replace(design, **texts), view=view)
+    is_shown = shown_snapshot(view.snapshots, design) is not None
+
+    def with_texts(other: Design) -> Design:
+        following = {
+            name: text
+            for name, text in texts.items()
+            if not getattr(other, name)
+            or (is_shown and getattr(other, name) == getattr(design, name))
+        }
+        return replace(other, **following)
+
+    snapshots = tuple(replace(each, design=with_texts(each.design)) for each in view.snapshots)
+    return Edit(
+        label=f"Change {' and '.join(texts)}",
+        design=replace(design, **texts),
+        view=replace(view, snapshots=snapshots),
+    )
 
 
 @refusing
