@@ -505,8 +505,9 @@ class NumberField(Editor, QtWidgets.QLineEdit):
         self._set_problem("")
 
     def _close(self) -> None:
-        self.setReadOnly(True)
-        self.setCursor(Qt.CursorShape.SizeHorCursor)
+        if self.editing:
+            self.setReadOnly(True)
+            self.setCursor(Qt.CursorShape.SizeHorCursor)
 
     def _set_problem(self, problem: str) -> None:
         if problem == self.problem:

@@ -552,7 +552,7 @@ def _with_crests(y: Floats, extremes: Extremes) -> Floats:
     """Return samples, of which those beside a crest of the wave are as high as the crest."""
     low, high = extremes.low[:, :-1] * extremes.sizes, extremes.high[:, :-1] * extremes.sizes
     rounding = _ROUNDING * extremes.sizes
-    left, right, values = y[:, :-1], y[:, 1:], y.copy()
+    left, right, values = y[:, :-1], y[:, 1:], y.flatten()
     dips = low < np.minimum(left, right) - rounding
     crests = high > np.maximum(left, right) + rounding
     # The neighbour that is nearer in height takes the value of the crest.
@@ -560,9 +560,10 @@ def _with_crests(y: Floats, extremes: Extremes) -> Floats:
         (dips, low, right < left, np.minimum),
         (crests, high, right > left, np.maximum),
     ):
-        row, at = np.nonzero(beyond)
-        of_two.at(values, (row, at + further[row, at]), reached[row, at])
-    return values
+        at = np.flatnonzero(beyond)
+        beside = at + at // left.shape[1] + further.ravel()[at]
+        of_two.at(values, beside, reached.ravel()[at])
+    return values.reshape(y.shape)
 
 
 def _strokes(low: Floats, high: Floats) -> Floats:

@@ -53,10 +53,9 @@ def decibels(
             f"amplitude at index {first} is {amplitude[first]}, expected a finite number of zero "
             "or more: a level in dB exists for nothing else"
         )
-    level = np.full(amplitude.shape, float(floor_db))
     # Two logarithms, because the quotient of extreme amplitudes under- or overflows.
-    np.log10(amplitude, out=level, where=amplitude > 0)
-    level = np.where(amplitude > 0, 20.0 * (level - np.log10(reference)), floor_db)
+    with np.errstate(divide="ignore"):
+        level = 20.0 * (np.log10(amplitude) - np.log10(reference))
     return np.maximum(level, floor_db)
 
 

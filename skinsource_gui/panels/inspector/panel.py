@@ -314,7 +314,7 @@ class InputFields(QObject):
                 grid.show_cells(cells)
 
     def _fields(self) -> list[FieldCell]:
-        return [cell for group in self._groups() for cell in group if isinstance(cell, FieldCell)]
+        return [cell for group in self._arranged for cell in group if isinstance(cell, FieldCell)]
 
     def _build_own(self, waveform: Waveform | None) -> None:
         old = self._own if self._duration is None else (self._duration, *self._own)
