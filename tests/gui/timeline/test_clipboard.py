@@ -1,7 +1,6 @@
 """The Clip menu does with clips what keys do; clips come from the head and go to places."""
 
 from dataclasses import replace
-from functools import partial
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
@@ -164,10 +163,23 @@ def test_what_acts_on_clips_acts_on_selected_ones_else_refuses_in_one_sentence(t
     assert refused == ["No clip is selected; click one in the timeline."] * (len(names) + 1)
     assert document.design is before
     # A new one is what is meant next.
-    for adds in (partial(window.do, "add_input"), partial(QTest.keyClick, lanes, Qt.Key.Key_N)):
-        adds()
-        QTest.keyClick(lanes, Qt.Key.Key_F)
-        assert document.design.inputs[-1].clips[-1].effects == (Fade(0.02, 0.0),)
+    QTest.keyClick(lanes, Qt.Key.Key_N)
+    QTest.keyClick(lanes, Qt.Key.Key_F)
+    assert document.design.inputs[-1].clips[-1].effects == (Fade(0.02, 0.0),)
+
+
+def test_duplicate_and_remove_of_the_menu_name_what_is_outlined_and_act_on_it(active, qtbot):
+    active.activateWindow()
+    qtbot.waitUntil(active.isActiveWindow)
+    document, words = active.document, []
+    for key in (Qt.Key.Key_D, Qt.Key.Key_Backspace):
+        field = active.panel("inspector").findChild(NumberField, "frequency_hz_field")
+        field.setFocus()
+        words.append(active.actions_by_name["duplicate_input"].text())
+        QTest.keyClick(field, key, CONTROL)
+        words.append((len(document.design.inputs), len(document.design.clips)))
+        document.look(edits.select_inputs(document.design, document.view, (1,)).view)
+    assert words == ["Duplicate clips", (1, 2), "Duplicate input", (0, 0)]
 
 
 def test_fades_are_added_and_never_taken_away_by_a_key(two_clips):

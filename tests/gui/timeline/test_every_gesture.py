@@ -113,6 +113,16 @@ def place(lanes):
     assert len(lanes.design.clips) == 5
     lanes.drag(start, end)
     assert lanes.design.track_of(3).location == 13
+    # Beside all places nothing is dropped, and the pointer says so.
+    lanes.lanes.elsewhere = lambda at: DropPlace() if at is not None and at.y() > 400 else None
+    before, start = lanes.design, lanes.middle(2)
+    lanes.drag(start, end, release=False)
+    assert lanes.lanes.viewport().cursor().shape() == Qt.CursorShape.ForbiddenCursor
+    lanes.lanes.mouse.move(start + lanes.px(0.1), NONE)
+    assert lanes.lanes.viewport().cursor().shape() == Qt.CursorShape.ClosedHandCursor
+    lanes.lanes.mouse.move(end, NONE)
+    QTest.mouseRelease(lanes.lanes.viewport(), LEFT)
+    assert lanes.design == before
 
 
 def select(lanes):
