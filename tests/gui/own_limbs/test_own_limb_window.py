@@ -12,7 +12,6 @@ from skinsource.design.labels import AXES
 from skinsource.design.waveforms import Noise, Tone
 from skinsource.limbs.own_limbs import facts_of, mirror_limb, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.state.compared import SILENT
 from skinsource_gui.state.engine import Purpose
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
@@ -240,7 +239,7 @@ def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(wi
     hand = window.panel("hand")
     assert not hand.diagram.isVisibleTo(hand)
     assert hand.findChild(QLabel, "hand_missing").text() == "The limb 'lab-9' is missing"
-    assert hand.drop_place(QPoint(50, 50)) == DropPlace()
+    assert hand.drop_place(QPoint(50, 50)).location is None
     assert "Place 6" in window.panel("inspector").findChild(QLabel, "inspector_heading").toolTip()
     content = window.panel("skin").map.content
     assert (content.limb_map, content.limb) == (None, "lab-9")
