@@ -167,6 +167,10 @@ class FileDrops(QObject):
 
     def _drag(self, event: QtGui.QDragMoveEvent) -> bool:
         paths, at = _taken(event), event.position().toPoint()
+        # A preset asks for no place; a window that refuses what enters would see no moves.
+        is_move = event.type() == QEvent.Type.DragMove and paths
+        if is_move and paths[0].suffix == presets.SUFFIX and self._place(at) == DropPlace():
+            event.ignore()
         for panel in self._panels if paths else ():
             placed = paths[0].suffix not in _OPENED and self._inside(panel, at)
             panel.show_drop(panel.mapFrom(self._window, at) if placed else None)

@@ -244,6 +244,8 @@ def _blank(size: QSize, ground: QtGui.QColor | None) -> QtGui.QImage:
 class DropPlace:
     """Where something is dropped: on a location of inputs, or on a track and its time.
 
+    Without either, nothing that needs a place is taken there.
+
     Attributes
     ----------
     location

@@ -51,6 +51,8 @@ class ActionSpec:
         Menu it stands in, which the table of menus says; "" for the palette alone.
     submenu
         The one in that menu it stands in; in the menu itself where there is none.
+    of_clips
+        What the menu says while clips are selected, on which it acts then.
     short
         What its button says in the bar, where that is less.
     hint
@@ -86,6 +88,7 @@ class ActionSpec:
     key_elsewhere: str = ""
     menu: str = ""
     submenu: str = ""
+    of_clips: str = ""
     short: str = ""
     keywords: str = ""
     missing: str = ""
@@ -127,6 +130,17 @@ def _on(
 
 _of_clips = partial(_on, lambda _, view: view.selected_clips)
 _of_inputs = partial(_on, lambda _, view: view.selected_inputs)
+
+
+def _of_outlined(of_clips: Callable[..., Edit | Refusal], of_inputs: Any) -> MakeEdit:
+    """Return an edit of the selected clips; where there are none, of the selected inputs."""
+
+    def edit(design: Design, view: View) -> Edit | Refusal:
+        return (_of_clips(of_clips) if view.selected_clips else _of_inputs(of_inputs))(design, view)
+
+    return edit
+
+
 # Length of a fade that a menu adds, s.
 _FADE_S = 0.02
 
@@ -160,8 +174,8 @@ EDITS: dict[str, MakeEdit] = {
     "copy_effects": copy_effects,
     "paste_effects": paste_effects,
     "add_input": edits.add_input,
-    "duplicate_input": _of_inputs(edits.duplicate_inputs),
-    "remove_input": _of_inputs(edits.remove_inputs),
+    "duplicate_input": _of_outlined(partial(copy_behind, verb="Duplicate"), edits.duplicate_inputs),
+    "remove_input": _of_outlined(edits.remove_clips, edits.remove_inputs),
     "mute_input": _of_inputs(edits.toggle_mute),
     "solo_input": _of_inputs(edits.toggle_solo),
     "shift_input_up": _of_inputs(partial(edits.shift_inputs, down=False)),
@@ -277,6 +291,7 @@ def _read(menu: str, entries: Mapping[str, Mapping[str, Any]]) -> Iterator[Actio
                 key_elsewhere=_TEXTS["key"][row["key_of"]] if "key_of" in row else "",
                 menu=menu,
                 submenu=row.get("submenu", ""),
+                of_clips=row.get("of_clips", ""),
                 short=row.get("short", ""),
                 keywords=row.get("words", ""),
                 missing=row.get("missing", ""),

@@ -295,6 +295,8 @@ class ActionSet(QObject):
                 _explain(action, spec)
             if spec.checked is not None:
                 action.setChecked(holds[spec.checked])
+            if spec.of_clips:
+                action.setText(spec.of_clips if view.selected_clips else spec.text)
 
     def _action(
         self, spec: ActionSpec, capabilities: Capabilities, window: QtWidgets.QWidget

@@ -310,7 +310,7 @@ class SiteMouse:
             self._hand.toggle_requested.emit(press.index)
             return
         following = self._stage.state.next_at(press.site)
-        if press.was_selected and following not in (None, press.index):
+        if press.was_selected and following is not None:
             self._hand.select_requested.emit(following)
 
 
@@ -638,9 +638,9 @@ class HandPanel(Panel):
 
     def drop_place(self, at: QPoint) -> DropPlace | None:
         if self._stack.currentWidget() is not self.diagram:
-            return None
-        site = self.diagram.stage.site_at(QPointF(self.diagram.mapFrom(self, at)))
-        return None if site is None else DropPlace(location=site)
+            return DropPlace()
+        position = QPointF(self.diagram.mapFrom(self, at))
+        return DropPlace(location=self.diagram.stage.layout.site_to_snap_to(position))
 
     def show_drop(self, at: QPoint | None) -> None:
         place = None if at is None else self.drop_place(at)

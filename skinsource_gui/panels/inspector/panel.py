@@ -414,7 +414,7 @@ class ClipHeading(QtWidgets.QWidget):
         muted = clip is not None and clip.muted
         state = "muted" if muted else "silent" * silent
         of_several = len(batch) > 1 or (muted and len(clips) > 1)
-        self._state.setText(f"last {state}" if state and of_several else state)
+        self._state.setText(f"last one {state}" if state and of_several else state)
 
 
 # Smallest size with letters of any size, and height of the picture, px.

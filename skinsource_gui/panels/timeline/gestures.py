@@ -44,11 +44,14 @@ class GesturePreview:
         The rectangle that selects clips, px.
     label
         Text beside the pointer.
+    forbidden
+        Whether nothing would be dropped here.
     """
 
     guide_s: float | None = None
     covered: QRectF | None = None
     label: str = ""
+    forbidden: bool = False
 
 
 @dataclass(slots=True, kw_only=True)
@@ -238,8 +241,8 @@ class MoveClips(Gesture):
     """Drags the selected clips in time and from lane to lane.
 
     Shift: along time only.  Ctrl: copies.  Alt: without snapping.  A free drag goes by whole
-    samples, so that what clips play need not be computed again.  While they are held over a place
-    in another panel, on the hand, the design is as before; they go there when they are dropped.
+    samples, so that what clips play need not be computed again.  While they are held over the
+    hand, the design is as before; dropped, they go to a place there, and beside all places nowhere.
     """
 
     def __init__(self, context: GestureContext, box: Box, at: QPointF) -> None:
@@ -263,13 +266,11 @@ class MoveClips(Gesture):
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         copies = self._copies = bool(held & Modifier.ControlModifier)
-        place = self._context.lanes.elsewhere(at)
-        if place is not None and place.location is not None:
-            if self._place is None:
+        before, self._place = self._place, self._context.lanes.elsewhere(at)
+        if self._place is not None:
+            if before is None:
                 self._context.undo()
-            self._place = place
-            return GesturePreview()
-        self._place = None
+            return GesturePreview(forbidden=self._place.location is None)
         rest = self._rest(at, copies=copies, free=bool(held & Modifier.AltModifier))
         by_tracks = 0 if held & Modifier.ShiftModifier else self._lanes_to(at)
         act = edits.copy_clips if copies else edits.move_clips

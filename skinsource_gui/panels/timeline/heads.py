@@ -539,6 +539,12 @@ class Heads(QtWidgets.QListView):
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
+        super().focusInEvent(event)
+        # A click says itself what it selects.
+        if self._view.selected_clips and event.reason() != Qt.FocusReason.MouseFocusReason:
+            self._edit(edits.select_inputs, self._view.selected_inputs)
+
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() == _Key.Key_Escape and self._cancel():
             return
@@ -570,11 +576,11 @@ class Heads(QtWidgets.QListView):
             return
         self._cancel()
         id, part = self._design.ids[row], self.places(row).part_at(event.position())
-        selected = id in self._view.selected_inputs
+        selected = id in self.chosen
         if part in ("mute", "solo"):
             self._edit(_EDITS[part], self._affected(id))
             return
-        if part == "fader" and not (selected or event.modifiers()):
+        if not (selected or event.modifiers()):
             self._edit(edits.select_inputs, (id,))
         elif not selected or (part != "fader" and event.modifiers()):
             super().mousePressEvent(event)
@@ -644,7 +650,7 @@ class Heads(QtWidgets.QListView):
         index = self.currentIndex() if by_key else self.indexAt(event.pos())
         if index.isValid():
             id = self._design.ids[index.row()]
-            if id not in self._view.selected_inputs:
+            if id not in self.chosen:
                 self._edit(edits.select_inputs, (id,))
             centre = self.viewport().mapToGlobal(self.visualRect(index).center())
             self._open_menu(self._affected(id), centre if by_key else event.globalPos())

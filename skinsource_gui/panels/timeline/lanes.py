@@ -405,6 +405,11 @@ class LaneMouse:
             preview = self._gesture.move(at, held)
             if self.busy:
                 self._lanes.overlay.show_preview(preview, at)
+            viewport, shapes = self._lanes.viewport(), Qt.CursorShape
+            if preview.forbidden:
+                viewport.setCursor(shapes.ForbiddenCursor)
+            elif viewport.cursor().shape() == shapes.ForbiddenCursor:
+                viewport.setCursor(shapes.ClosedHandCursor)
 
     def release(self) -> None:
         """End what the button did."""

@@ -228,6 +228,9 @@ class TimelinePanel(Panel):
         self._show_heads()
         self._stack.setCurrentIndex(1 if design.inputs else 0)
         self._place_lanes()
+        # Keys act on what is outlined.
+        if view.selected_clips and self.heads.hasFocus():
+            self.lanes.setFocus()
         if self.is_stale:
             self.show_staleness(True)
 

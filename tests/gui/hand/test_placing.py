@@ -6,10 +6,9 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QShortcut
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication
 
-from skinsource import Design, View, track
-from skinsource_gui.panels.hand.panel import HandPanel
+from skinsource import track
 from tests.gui.hand.bench import CONTROL, KEY, NONE, SHIFT, short
 from tests.gui.menus import KEYBOARD
 
@@ -40,6 +39,10 @@ def test_repeated_clicks_cycle_through_the_inputs_of_a_site(studio):
         selected.append(studio.view.selected_input)
     assert selected == [4, 2, 3, 4, 2]
     assert studio.edits == []
+    # It is the input that is meant then, and no clip.
+    studio.show(selected_inputs=(1,), selected_clips=(1,))
+    studio.click(7)
+    assert studio.view.selected_clips == ()
 
 
 @pytest.mark.parametrize("modifier", [SHIFT, CONTROL])
@@ -104,9 +107,8 @@ def test_a_drag_moves_the_input_live_in_one_gesture(studio):
         f"Move input to 16 ({short(16)})",
         f"Move input to 13 ({short(13)})",
     ]
-    gestures = {gesture for _, _, gesture in studio.edits}
-    assert len(gestures) == 1
-    assert None not in gestures
+    (gesture,) = {gesture for _, _, gesture in studio.edits}
+    assert gesture is not None
 
 
 @pytest.mark.parametrize("end", ["escape", "away", "hidden"])
@@ -151,27 +153,14 @@ def test_a_shaky_click_is_no_drag(studio):
     assert studio.edits == []
 
 
-def test_tab_reaches_the_diagram_and_shows_the_cursor_on_the_selected_input(qtbot):
-    window = QWidget()
-    qtbot.addWidget(window)
-    field, panel = QLineEdit(), HandPanel()
-    layout = QVBoxLayout(window)
-    layout.addWidget(field)
-    layout.addWidget(panel)
-    panel.show_state(
-        Design(limb="synthetic-1", inputs=(track(location=13),)), View(selected_inputs=(1,))
-    )
-    with qtbot.waitActive(window):
-        window.show()
-        window.activateWindow()
-    field.setFocus()
-    assert panel.diagram.state.cursor is None
-    QTest.keyClick(field, KEY.Key_Tab)
-    assert panel.diagram.hasFocus()
-    assert panel.diagram.state.cursor == 13
-    QTest.keyClick(panel.diagram, KEY.Key_Backtab)
-    assert field.hasFocus()
-    assert panel.diagram.state.cursor is None
+def test_the_cursor_is_on_the_selected_input_once_tab_reaches_the_diagram(studio, qtbot):
+    studio.put(track(location=13), selected=0)
+    with qtbot.waitActive(studio.panel):
+        studio.panel.activateWindow()
+    studio.diagram.clearFocus()
+    assert studio.diagram.state.cursor is None
+    studio.diagram.setFocus(Qt.FocusReason.TabFocusReason)
+    assert studio.diagram.state.cursor == 13
 
 
 def test_arrow_keys_reach_every_site_from_every_site(studio):
@@ -220,7 +209,6 @@ def test_the_cursor_follows_what_is_selected_elsewhere_unless_keys_are_used_here
     with qtbot.waitActive(studio.panel):
         studio.panel.activateWindow()
     studio.diagram.setFocus()
-    assert studio.diagram.hasFocus()
     studio.keys(KEY.Key_8)
     studio.show(selected_inputs=(2,))
     assert studio.diagram.cursor_site == 8

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox, QTabBar
@@ -130,6 +130,16 @@ def test_a_preset_goes_where_it_is_dropped_and_elsewhere_to_the_selected_track(
     drop("Heartbeat", diagram.mapTo(window, diagram.site_centre(13)))
     new = document.design.inputs[-1]
     assert (new.location, len(new.clips)) == (13, 6)
+    # Near a place is on it; away from all places nothing is taken.
+    data, taken = QMimeData(), []
+    data.setUrls([QUrl.fromLocalFile("/tap.skinpreset")])
+    beside = QPoint(round(2 * diagram.stage.layout.radii_px[12]), 0)
+    for at in (diagram.site_centre(13) + beside, QPoint(2, 2)):
+        for move in (QDragEnterEvent, QDragMoveEvent):
+            event = move(diagram.mapTo(window, at), Qt.DropAction.CopyAction, data, LEFT, NONE)
+            QApplication.sendEvent(window, event)
+        taken.append(event.isAccepted())
+    assert taken == [True, False]
     settle()
     timeline, (bar,) = window.panel("timeline"), window.findChildren(QTabBar)
     # The Timeline is the first tab.

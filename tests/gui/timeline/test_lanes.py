@@ -16,7 +16,7 @@ from skinsource_gui.panels.timeline.content import (
     shown_gain_curves,
 )
 from skinsource_gui.panels.timeline.gestures import GesturePreview
-from tests.gui.timeline.bench import ALT, CONTROL, LEFT, NONE, SHIFT, TONE, TWO_TRACKS, LanesBench
+from tests.gui.timeline.bench import ALT, CONTROL, LEFT, NONE, SHIFT, LanesBench
 
 _Key = Qt.Key
 
@@ -100,18 +100,13 @@ def test_a_marker_that_is_dragged_onto_another_stays_beside_it(lanes):
     assert f"{times_s[1] * 1e3:.5g} ms" in lanes.refusals[-1]
 
 
-def test_keys_and_the_menu_put_copies_where_the_track_is_free(lanes):
-    for act in (
-        lambda: lanes.key(_Key.Key_R),
-        lambda: lanes.key(_Key.Key_D, CONTROL),
-        lambda: lanes.menu_at(lanes.middle(1))["Repeat clip"].trigger(),
-        lambda: lanes.menu_at(lanes.middle(1))["Duplicate clip"].trigger(),
-    ):
-        lanes.show(TWO_TRACKS)
-        lanes.click(lanes.middle(1))
-        act()
-        copy = lanes.design.inputs[0].clips[-1]
-        assert (copy.waveform, copy.onset_s) == (TONE, 0.5)
+def test_keys_and_the_menu_put_copies_behind(lanes):
+    lanes.click(lanes.middle(4))
+    lanes.key(_Key.Key_R)
+    lanes.key(_Key.Key_D, CONTROL)
+    lanes.menu_at(lanes.middle(4))["Repeat clip"].trigger()
+    onsets_s = [clip.onset_s for clip in lanes.design.inputs[1].clips]
+    assert onsets_s == pytest.approx([0.1, 0.3, 0.5, 0.7])
 
 
 def test_markers_are_added_renamed_and_removed_on_the_ruler(lanes, monkeypatch):
@@ -161,7 +156,6 @@ def test_overlaps_are_where_two_clips_or_more_play():
     assert overlaps_of([spans[0], spans[0], spans[1]]) == [(0.0, 0.6)]
     # Clips that follow each other, with the rounding of their lengths, do not overlap.
     assert overlaps_of([(0.1, 0.2 + 1e-12), (0.2, 0.3)]) == []
-    assert overlaps_of([]) == []
 
 
 def test_a_key_and_the_menu_reach_clips_that_overlap(lanes):

@@ -286,9 +286,7 @@ def nearest(value: float, spec: NumberSpec) -> float:
 
 @checking
 def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
-    """Select inputs; the last one is the leading one.
-
-    Clips stay selected where each of the inputs has some: then these are what is edited.
+    """Select inputs and no clips; the last one is the leading one.
 
     Examples
     --------
@@ -299,15 +297,8 @@ def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
     (2,)
     """
     existing = dict.fromkeys(input_id for input_id in listed(ids) if input_id in design.ids)
-    chosen = [track for track in design.inputs if track.id in existing]
-    on_each = [{clip.id for clip in track.clips} & set(view.selected_clips) for track in chosen]
-    kept = set[int]().union(*on_each) if all(on_each) else ()
-    clips = tuple(clip_id for clip_id in view.selected_clips if clip_id in kept)
-    return Edit(
-        label="Select inputs",
-        design=design,
-        view=replace(view, selected_inputs=tuple(existing), selected_clips=clips),
-    )
+    view = replace(view, selected_inputs=tuple(existing), selected_clips=())
+    return Edit(label="Select inputs", design=design, view=view)
 
 
 @checking

@@ -72,14 +72,8 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
     edit = _added(design, view, f"Place input at {location_text(location, design.limb)}", [new])
     if not besides:
         return edit
-    return replace(
-        edit,
-        view=replace(
-            view,
-            selected_inputs=(*view.selected_inputs, *edit.view.selected_inputs),
-            selected_clips=(*view.selected_clips, *edit.view.selected_clips),
-        ),
-    )
+    chosen = (*view.selected_inputs, *edit.view.selected_inputs)
+    return replace(edit, view=replace(edit.view, selected_inputs=chosen))
 
 
 @refusing
@@ -370,7 +364,7 @@ def _ungrouped(part: Clip, group: Clip) -> Clip:
 def place_waveform(
     design: Design, view: View, location: int, waveform: Waveform, onset_s: float = 0.0
 ) -> Edit | Refusal:
-    """Add an input that plays ``waveform`` with amplitude 1, and select it.
+    """Add an input that plays ``waveform`` with amplitude 1, and select its clip.
 
     Examples
     --------
@@ -382,7 +376,9 @@ def place_waveform(
     """
     new = track(location, waveform, onset_s=onset_s)
     label = f"Place {waveform.title.lower()} at {location_text(location, design.limb)}"
-    return _added(design, view, label, [new])
+    edit = _added(design, view, label, [new])
+    chosen = clips_selected(edit.design, view, (edit.design.clips[-1].id,))
+    return replace(edit, view=chosen)
 
 
 @refusing
@@ -414,14 +410,9 @@ def add_waveform(
 
 
 def _added(design: Design, view: View, label: str, new: Sequence[Input]) -> Edit:
-    """Add inputs at the end, and select them with their clips."""
+    """Add inputs at the end, and select them."""
     after = with_inputs_added(design, new)
-    added = after.inputs[len(design.inputs) :]
-    view = replace(
-        view,
-        selected_inputs=tuple(track.id for track in added),
-        selected_clips=tuple(clip.id for track in added for clip in track.clips),
-    )
+    view = replace(view, selected_inputs=after.ids[len(design.inputs) :], selected_clips=())
     return Edit(label=label, design=after, view=view)
 
 
