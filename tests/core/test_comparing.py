@@ -121,13 +121,9 @@ def test_one_key_goes_to_and_fro_between_equal_ones_too_where_there_are_no_other
     assert comparing.other_snapshot(view.snapshots, DESIGN).number == 3
 
 
-def test_what_was_edited_comes_back():
+def test_from_an_edited_design_the_way_leads_to_what_was_stored_and_back():
     _, view = store(DESIGN, View(), 1)
-    design, view = toggle(OTHER, view)
-    assert design == DESIGN
-    design, view = toggle(design, view)
-    assert design == OTHER
-    # Edited once more, the way leads to what was stored, not to what was edited before.
+    _, view = toggle(OTHER, view)
     design, view = toggle(THIRD, view)
     assert design == DESIGN
     assert toggle(design, view)[0] == THIRD
@@ -144,9 +140,6 @@ def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
     assert back.design is OTHER
     assert back.view.match_gain(back.design) == 1 / 3
     assert there.view.match_gain(there.design) == 1.0
-    assert shown_snapshot(back.view.snapshots, back.design).number == 2
-    assert comparing.other_snapshot(back.view.snapshots, back.design).number == 1
-    assert [snapshot.design for snapshot in back.view.snapshots] == [DESIGN, OTHER]
     assert isinstance(edits.show_snapshot(DESIGN, view, 2, 1e7), Refusal)
 
 
