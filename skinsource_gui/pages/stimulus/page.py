@@ -546,7 +546,7 @@ class SetPart(StimulusPart):
             of = ListSpec(label=title, hint=title, of=spec, fewest=1, most=MOST_CONDITIONS)
             editor = self.values[variable] = NumbersEditor(of, self)
             editor.line.setAccessibleName(f"{title}, values")
-            if spec.unit == "Hz":
+            if editor.label:
                 # The variable above says it.
                 editor.label.clear()
             editor.set_value((value,))
