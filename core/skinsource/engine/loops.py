@@ -77,10 +77,13 @@ class Loop:
             vectors = (self.phasors * np.exp(2j * np.pi * share)).real
         return vectors[:, 0] if self.signed else np.linalg.norm(vectors, axis=1)
 
-    def traces(self, outputs: tuple[int, ...], length_s: float) -> tuple[Floats, Floats]:
+    def traces(
+        self, outputs: tuple[int, ...], length_s: float, since_s: float = 0.0
+    ) -> tuple[Floats, Floats]:
         """Return times from the beginning on, (n_times,), and outputs then, (n_outputs, n_times).
 
-        They end after ``length_s``, or with the response.
+        They end after ``length_s``, or with the response.  Those of a steady tone begin
+        ``since_s`` after its beginning, where 0 stands.
         """
         rows = np.array(outputs, dtype=int) - 1
         if self.phasors is None:
@@ -92,7 +95,7 @@ class Loop:
         else:
             n_times = ceil(_POINTS_PER_PERIOD * length_s / self.duration_s) + 1
             times_s = np.linspace(0.0, length_s, n_times)
-            turns = np.exp(2j * np.pi * times_s / self.duration_s)
+            turns = np.exp(2j * np.pi * (since_s + times_s) / self.duration_s)
             vectors = (self.phasors[rows, :, None] * turns).real
         return times_s, vectors[:, 0] if self.signed else np.linalg.norm(vectors, axis=1)
 

@@ -54,7 +54,7 @@ class MapsFilm:
         # The film may be drawn while its preview is.
         moving = copy(self.moving)
         moving.turns = turns
-        about = f"{1e3 * (turns % 1.0) * moving.longest_s:.1f} ms"
+        about = f"{1e3 * moving.said_s:.1f} ms"
         content = replace(self.content, cells=moving.cells(), about=about)
 
         def draw(painter: QtGui.QPainter, width: int, height: int, theme: Theme) -> None:

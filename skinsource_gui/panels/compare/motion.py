@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import isclose
 
 from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
 
@@ -79,6 +80,17 @@ class MovingMaps:
     def ran_s(self) -> float:
         """The time of the skin that all maps show, since the beginning of their loops."""
         return self.turns * self.longest_s
+
+    @property
+    def said_s(self) -> float:
+        """That time, within the longest loop where all begin again with it."""
+        return self.ran_s % self.longest_s if self.repeats else self.ran_s
+
+    @property
+    def repeats(self) -> bool:
+        """Whether all is as at first after the longest loop."""
+        times = [self.longest_s / self.length_s(known[0]) for known in self.loops if known]
+        return all(isclose(each, round(each), abs_tol=1e-6) for each in times)
 
     @property
     def longest_s(self) -> float:

@@ -380,6 +380,8 @@ class StagePanel(MapsPanel):
         self.named: Callable[[], str] = str
         self._held_ends: tuple[Range, Range] | None = None
         self._passes = self._cut = self._sunk = False
+        # How long maps that do not repeat together had run where the curves begin.
+        self._since_s = 0.0
         self._rest = QTimer(self, singleShot=True, interval=_RESTS_MS)
         self._rest.timeout.connect(self._fit_cut)
         self._shown: tuple[Any, ...] = ()
@@ -711,7 +713,7 @@ class StagePanel(MapsPanel):
             if self._together:
                 results = self.compared[k].values or {}
                 loop = replace(loop, moving=results.get(ALL_AXES, loop.moving))
-            x, values = loop.spectra(kept) if spectra else loop.traces(kept, end_s)
+            x, values = loop.spectra(kept) if spectra else loop.traces(kept, end_s, self._since_s)
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             # Of another design the loudest part may lie where this one has ended.
             for row, number in enumerate(kept if x.size else ()):
@@ -765,14 +767,21 @@ class StagePanel(MapsPanel):
         self._show_cursor()
 
     def _show_cursor(self) -> None:
-        lengths_s = [self.moving.length_s(known[0]) for known in self.moving.loops if known]
-        if not (lengths_s and self.moves and stage_settings(self.view).plot == "traces"):
+        longest_s = self.moving.longest_s
+        if not (longest_s and self.moves and stage_settings(self.view).plot == "traces"):
             self.strip.show_cursor(None)
             return
         # It goes back by whole periods, so that curves and maps agree where it stands.
-        longest_s, end_s = max(lengths_s), self.strip.ends[0][1]
-        n_periods = max(round(end_s / longest_s), 1)
-        self.strip.show_cursor(self.moving.ran_s % (longest_s * n_periods))
+        end_s = self.strip.ends[0][1]
+        lap_s = longest_s * max(round(end_s / longest_s), 1)
+        at_s = self.moving.ran_s % lap_s
+        since_s = 0.0 if self.moving.repeats else self.moving.ran_s - at_s
+        if not isclose(since_s, self._since_s, abs_tol=1e-9):
+            # Shorter periods are elsewhere after that.
+            self._since_s = since_s
+            self._show_traces()
+        else:
+            self.strip.show_cursor(at_s)
 
     def _turn(self, value: float, gesture: int | None) -> None:
         if self.design is not None and self._track is not None:

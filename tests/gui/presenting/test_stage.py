@@ -271,6 +271,18 @@ def test_the_names_of_curves_are_as_long_as_there_is_room(stage, qtbot):
         assert (labels == [curve.names[0] for curve in strip.curves]) == (outputs == few)
 
 
+def test_curves_and_maps_of_several_tones_agree_at_the_cursor(stage, qtbot):
+    side_by_side(stage, qtbot, 3, of="frequencies", frequencies_hz=(60.0, 150.0))
+    row = stage.view.outputs[0] - 1
+    for turns in (0.3, 3.4, 7.9):
+        stage.moving.turns = turns
+        tick(stage, 0.0)
+        for k, curve in enumerate(stage.strip.curves):
+            value = np.interp(stage.strip.marked, curve.x, curve.y)
+            assert value == pytest.approx(stage.moving.values(k)[row], abs=0.02)
+        assert stage.moving.said_s == pytest.approx(turns / 60.0)
+
+
 def test_maps_that_come_late_are_in_phase_with_those_that_move(stage, qtbot):
     side_by_side(stage, qtbot, 4, of="limbs")
     first, *others = stage.compared
