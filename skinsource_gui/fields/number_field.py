@@ -148,6 +148,13 @@ _GAP_PX, _TEXT_EDGE_PX = 4, 2
 _OTHER_SIZES = (QEvent.Type.FontChange, QEvent.Type.StyleChange)
 
 
+def end_typing() -> None:
+    """Take over the number that is being typed, if any is."""
+    field = QtWidgets.QApplication.focusWidget()
+    if isinstance(field, NumberField):
+        field.commit()
+
+
 class NumberField(Editor, QtWidgets.QLineEdit):
     """Shows and edits a value in its display unit.
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal
 
+from skinsource_gui.fields.number_field import end_typing
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.shell.actions import MENUS, ActionSpec
@@ -314,6 +315,8 @@ class ActionSet(QObject):
             action.setStatusTip(spec.hint)
         action.setProperty(KEYWORDS, spec.keywords)
         action.setCheckable(spec.checked is not None or bool(spec.group))
+        # A key comes before Enter.
+        action.triggered.connect(lambda: end_typing())
         if spec.edit is not None:
             action.triggered.connect(partial(self._edit, spec))
         else:

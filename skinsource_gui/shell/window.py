@@ -19,6 +19,7 @@ from skinsource.engine.quantities import graphs_that_share
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource.limbs.own_limbs import drive_unit_known
 from skinsource.studies import scenes
+from skinsource_gui.fields.number_field import end_typing
 from skinsource_gui.pages.actions import FileDrops, ImportActions, LibraryActions, SceneActions
 from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.pages.files.exports import ExportActions
@@ -459,6 +460,7 @@ class MainWindow(QtWidgets.QMainWindow):
         return move_focus(self, regions, forward=forward)
 
     def closeEvent(self, event: QtGui.QCloseEvent) -> None:
+        end_typing()
         if not (self.files.may_lose_changes() and self.running_jobs.may_close()):
             event.ignore()
             return

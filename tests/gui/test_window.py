@@ -6,12 +6,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QTextBrowser, QWidget
 
 from benchmarks.window_figures import SCREENS, figures_of
 from skinsource import Design, View, load_limb, predict, project_axes, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.export import packing
+from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.state.preferences import start_design
 
 
@@ -92,3 +94,16 @@ def test_the_figures_of_the_window_hold(open_window, screen):
     }
     missed = {name for name, held in holds.items() if not held}
     assert not missed, f"{missed}: {figures}"
+
+
+def test_a_number_that_is_being_typed_is_taken_before_whatever_is_done(window, qtbot, answers):
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    field = window.panel("inspector").findChild(NumberField, "amplitude_field")
+    field.setFocus()
+    QTest.keyClicks(field, "3")
+    window.do("store_snapshot_1")
+    assert window.document.view.snapshots[0].design.inputs[0].amplitude == 3.0
+    QTest.keyClicks(field, "4")
+    assert not window.close()
+    assert (window.document.design.inputs[0].amplitude, len(answers["asked"])) == (4.0, 1)
