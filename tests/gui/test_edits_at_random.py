@@ -13,6 +13,7 @@ from skinsource.design.effects import EFFECTS
 from skinsource.design.motions import MOTIONS, Alternation
 from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.perception.validity import Finding
+from skinsource.specs.samples import Samples
 from skinsource_gui.state.document import Document
 
 START = Design(
@@ -25,6 +26,7 @@ START = Design(
 )
 COIL = ActuatorAt(actuator="coil", model=actuators.load("example-voice-coil"))
 ACTUATION = Actuation(actuators=(COIL,))
+DRIVE = Samples(values=[0.0, 1.0, -0.5], sample_rate_hz=1300.0)
 RIG = Rig(channels=(RigChannel(place=2, actuator="example-piezo"),))
 # Mostly what there is, and now and then what there is not.
 likely_id = st.integers(1, 3)
@@ -69,9 +71,11 @@ BY_NAME = {
     **dict.fromkeys(("curve", "points"), curves),
     "actuation": st.none() | switches.map(lambda on: replace(ACTUATION, on=on)),
     "axes": st.sampled_from(["x", "yz", "xyz", "", "zyx"]),
+    "brush": st.sampled_from(["strong", "quiet", "erase", "loud"]),
     "by_tracks": steps_down,
     "column": st.sampled_from(["frequency", "amplitude", ""]),
     "finding": findings,
+    "drives": st.lists(st.just(DRIVE), max_size=2),
     "fragment": st.just(edits.fragment_of(START, (1, 3))),
     "gain": st.sampled_from([1.0, 0.3, 1e9, -1.0]),
     "kind": st.sampled_from([*(kind.__name__ for kind in EFFECTS), *WAVEFORMS, "Echo"]),
@@ -86,6 +90,7 @@ BY_NAME = {
     "name": st.sampled_from([*FIELDS, *FIELDS_OF_EFFECTS]),
     "other": st.sampled_from([Design(limb="synthetic-2"), Design(limb="lab-9")]),
     "outputs": st.lists(st.integers(0, 73), max_size=4),
+    "places": st.lists(places, max_size=2),
     "sample_rate_hz": st.sampled_from([1300.0, 48_000.0]),
     "samples": st.sampled_from([(0.0, 0.5, -1.0), (), (1.0, float("nan"))]),
     "rig": st.none() | st.just(RIG),
@@ -97,6 +102,7 @@ BY_NAME = {
 #: Where one of them may be something else besides.
 BESIDES = {
     ("add_waveform", "input_id"): st.none(),
+    ("change_target", "name"): st.sampled_from(["beta", "most", "strong", "onset_s", "inputs"]),
     ("match_tracks", "levels_db"): st.dictionaries(one_id, st.floats(-200, 200), max_size=3),
     ("place_fragment", "input_id"): st.none(),
     ("place_fragment", "location"): st.none(),

@@ -1,0 +1,125 @@
+"""Paint a target, change its fields, take over its drives, and make it ordinary clips.
+
+A design has one target at a time.  An edit leaves the drives as they are: they are found again away
+from the window, see `skinsource.design.target.is_unsolved`.
+"""
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import replace
+from typing import Any
+
+from skinsource.base.errors import InvalidInputError, counted, quoted
+from skinsource.design.design import Design, View
+from skinsource.design.edits.edit import Edit, Refusal, listed, refusing
+from skinsource.design.edits.motions import add_motion, change_motion
+from skinsource.design.target import Target, conditions_of, target_in
+from skinsource.specs.samples import Samples
+from skinsource.specs.spec import ChoiceSpec
+
+BRUSH = ChoiceSpec(
+    label="Brush",
+    options=(("strong", "Strong"), ("quiet", "Quiet"), ("erase", "Erase")),
+    hint="What a click or drag on the skin map does",
+)
+NO_TARGET = "There is no target; paint a strong output on the skin map."
+
+
+@refusing
+def paint_target(
+    design: Design, view: View, outputs: Sequence[int], brush: str = "strong"
+) -> Edit | Refusal:
+    """Make outputs strong or quiet, or erase them; the first stroke makes a target.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1")
+    >>> edit = ss.edits.paint_target(design, ss.View(), [30])
+    >>> print(edit.design.motions[0].motion.strong, edit.label)
+    (30,) Paint 1 output strong
+    """
+    outputs, brush = listed(outputs), BRUSH.checked(brush)
+    found = target_in(design)
+    target = Target() if found is None else found[1]
+    if found is None:
+        # The playhead may be later than the latest onset.
+        with suppress(InvalidInputError):
+            target = replace(target, onset_s=view.playhead_s)
+    label = "Erase" if brush == "erase" else "Paint"
+    how = "" if brush == "erase" else f" {brush}"
+    painted = target.painted(outputs, brush)
+    return _with_target(design, view, painted, f"{label} {counted(len(outputs), 'output')}{how}")
+
+
+@refusing
+def change_target(design: Design, view: View, name: str, value: Any) -> Edit | Refusal:
+    """Change a field of the target.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.edits.paint_target(ss.Design(limb="synthetic-1"), ss.View(), [30]).design
+    >>> edit = ss.edits.change_target(design, ss.View(), "beta", 1.0)
+    >>> print(edit.design.motions[0].motion.beta)
+    1.0
+    """
+    found = target_in(design)
+    if found is None:
+        return Refusal(sentence=NO_TARGET)
+    if name not in Target.__dataclass_fields__:
+        return Refusal(sentence=f"A target has no field {quoted(name)}.")
+    return _with_target(design, view, found[1].with_fields(**{name: value}), "Change target")
+
+
+@refusing
+def solve_target(
+    design: Design, view: View, places: Sequence[int], drives: Sequence[Samples]
+) -> Edit | Refusal:
+    """Have the target play these drives at these places.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> from skinsource.specs.samples import Samples
+    >>> design = ss.edits.paint_target(ss.Design(limb="synthetic-1"), ss.View(), [30]).design
+    >>> drive = Samples(values=[0.0, 1.0, 0.0], sample_rate_hz=1300.0)
+    >>> edit = ss.edits.solve_target(design, ss.View(), [7, 8], [drive, drive])
+    >>> print([track.location for track in edit.design.inputs])
+    [7, 8]
+    """
+    found = target_in(design)
+    if found is None:
+        return Refusal(sentence=NO_TARGET)
+    solved = found[1].with_fields(
+        places=listed(places), drives=tuple(drives), solved_for=conditions_of(design)
+    )
+    return _with_target(design, view, solved, "Solve target")
+
+
+@refusing
+def detach_target(design: Design, view: View) -> Edit | Refusal:
+    """Leave the clips of the target as ordinary ones, which are not solved again.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.edits.paint_target(ss.Design(limb="synthetic-1"), ss.View(), [30]).design
+    >>> print(ss.edits.detach_target(design, ss.View()).design.motions)
+    ()
+    """
+    found = target_in(design)
+    if found is None:
+        return Refusal(sentence=NO_TARGET)
+    motions = tuple(group for k, group in enumerate(design.motions) if k != found[0])
+    return Edit(label="Detach target", design=replace(design, motions=motions), view=view)
+
+
+def _with_target(design: Design, view: View, target: Target, label: str) -> Edit | Refusal:
+    """Return an edit that takes over a target; what is selected stays so."""
+    found = target_in(design)
+    if found is None:
+        outcome = add_motion(design, view, target)
+    else:
+        outcome = change_motion(design, view, found[0], target)
+    return outcome if isinstance(outcome, Refusal) else replace(outcome, label=label, view=view)
