@@ -8,8 +8,9 @@ little is sharp.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,8 +24,10 @@ from skinsource.limbs.limb import Limb, LimbFacts
 from skinsource.limbs.scaling import pulse_spectrum
 
 LEAST_BETA, MOST_BETA = 1e-6, 1e9
-# Halvings of a range of 15 decades: to 1e-13.
-_HALVINGS = 48
+# How often a range of 15 decades is searched, and in how many steps each time: to 1e-12.
+_REFINEMENTS, _TRIED = 9, 33
+# Of the weights of `quietest`, and of the phases of `paint`.
+_REWEIGHTINGS, _ITERATIONS = 50, 60
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -38,7 +41,7 @@ class Focus:
     limb
         Whose responses were used.
     target
-        Output, from 1; 0: several are painted.
+        Output, from 1; of several the first.
     inputs
         Places in use, from 1.
     frequencies_hz : (n_bins,)
@@ -59,6 +62,8 @@ class Focus:
         Energy at the target over that of the loudest other output.
     loudest_other : (n_bins,)
         That output, from 1.
+    spread_db : (n_bins,)
+        Energy of the strongest of several targets over that of the weakest.
     """
 
     limb: LimbFacts
@@ -73,6 +78,7 @@ class Focus:
     unseen_contrast_db: Floats
     loudest_other_db: Floats
     loudest_other: Integers
+    spread_db: Floats
 
     def __repr__(self) -> str:
         f = self.frequencies_hz
@@ -151,28 +157,303 @@ def focus(
     True
     """
     responses = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
-    target = responses.check_target(target)
-    return _focus(
-        responses,
-        target,
-        quiet_of(responses, (target,), quiet),
-        beta=_checked_beta(beta),
-        most_effort_db=None if effort_db is None else _checked_effort(effort_db),
-    )
+    wish = Wish.of(responses, [target], quiet)
+    most_db = None if effort_db is None else _checked_effort(effort_db)
+    return wish.focused(_checked_beta(beta), most_db)
 
 
-def _focus(
-    responses: Responses,
+@checking
+def quietest(
+    limb: Limb | str,
     target: int,
-    quiet: tuple[int, ...],
     *,
-    beta: float,
-    most_effort_db: float | None = None,
+    axes: Axes = "z",
+    quiet: Sequence[int] | None = None,
+    inputs: Sequence[int] | None = None,
+    effort_db: float = 3.0,
+    frequencies_hz: ArrayLike | None = None,
 ) -> Focus:
-    row, gram = target_row(responses, target), gram_of(responses.rows(quiet))
-    drives, betas = loaded(row, gram, beta=beta, effort_db=most_effort_db)
-    unseen = _unseen_contrast_db(responses, target, quiet, row, gram, betas)
-    return judged(responses, target, quiet, drives, betas, row, gram, unseen)
+    """Return the drives that keep the loudest quiet output as low as the effort allows.
+
+    It is a focus whose quiet outputs are weighted again and again, the louder the more.
+
+    Parameters
+    ----------
+    limb, target, axes, quiet, inputs, effort_db, frequencies_hz
+        As of `focus`.
+
+    Raises
+    ------
+    InvalidInputError
+        There is no such place or output, or the target is mostly noise.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> even, mean = (
+    ...     find("synthetic-1", 9, effort_db=0.2, frequencies_hz=[100.0])
+    ...     for find in (ss.inverse.quietest, ss.inverse.focus)
+    ... )
+    >>> bool(even.loudest_other_db > mean.loudest_other_db)
+    True
+    """
+    responses = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
+    wish = Wish.of(responses, [target], quiet)
+    most_db = _checked_effort(effort_db)
+    lowest, best = np.full(len(wish.row), np.inf), wish.weights
+    for _ in range(_REWEIGHTINGS):
+        drives, _ = loaded(wish.row, wish.gram, effort_db=most_db)
+        energy = energy_of(responses, drives)[:, np.array(wish.quiet) - 1]
+        loudest = energy.max(axis=1)
+        best = np.where((loudest < lowest)[:, None], wish.weights, best)
+        lowest = np.minimum(loudest, lowest)
+        weights = wish.weights * np.sqrt(energy / loudest[:, None])
+        wish = replace(wish, weights=weights / weights.mean(axis=1, keepdims=True))
+    return replace(wish, weights=best).focused(effort_db=most_db)
+
+
+@checking
+def best_single(
+    limb: Limb | str,
+    target: int,
+    *,
+    axes: Axes = "z",
+    quiet: Sequence[int] | None = None,
+    inputs: Sequence[int] | None = None,
+    frequencies_hz: ArrayLike | None = None,
+) -> Focus:
+    """Return the drives of one input alone: that of most contrast with equal drives at all bins.
+
+    Parameters
+    ----------
+    limb, target, axes, quiet, inputs, frequencies_hz
+        As of `focus`.
+
+    Raises
+    ------
+    InvalidInputError
+        There is no such place or output, or the target is mostly noise.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> ss.inverse.best_single("synthetic-1", 30, frequencies_hz=[100.0]).inputs
+    (12,)
+    """
+    limb = limb_of(limb)
+    every = responses_of(limb, axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
+    wish = Wish.of(every, [target], quiet)
+    energy = np.square(np.abs(every.values)).sum(axis=(0, 2))
+    contrast_db = power_db(energy[wish.strong[0] - 1], energy[np.array(wish.quiet) - 1].sum(axis=0))
+    place = every.inputs[int(np.nanargmax(contrast_db))]
+    alone = responses_of(limb, axes=axes, inputs=(place,), frequencies_hz=frequencies_hz)
+    return replace(wish, responses=alone).reversed_in_time()
+
+
+@checking
+def time_reversal(
+    limb: Limb | str,
+    target: int,
+    *,
+    axes: Axes = "z",
+    quiet: Sequence[int] | None = None,
+    inputs: Sequence[int] | None = None,
+    frequencies_hz: ArrayLike | None = None,
+) -> Focus:
+    """Return the drives of least effort; they need only the responses of the target itself.
+
+    Parameters
+    ----------
+    limb, target, axes, inputs, frequencies_hz
+        As of `focus`.
+    quiet
+        As of `focus`; contrasts are told with them, drives do not know them.
+
+    Raises
+    ------
+    InvalidInputError
+        There is no such place or output, or the target is mostly noise.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> found = ss.inverse.time_reversal("synthetic-1", 30, frequencies_hz=[100.0])
+    >>> print(f"{abs(found.effort_db[0]):.1f} dB")
+    0.0 dB
+    """
+    responses = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
+    return Wish.of(responses, [target], quiet).reversed_in_time()
+
+
+@checking
+def paint(
+    limb: Limb | str,
+    strong: Mapping[int, float],
+    quiet: Mapping[int, float],
+    *,
+    axes: Axes = "z",
+    inputs: Sequence[int] | None = None,
+    beta: float = 0.1,
+    frequencies_hz: ArrayLike | None = None,
+) -> Focus:
+    """Return the drives that make several outputs equally strong, in whatever phases.
+
+    Parameters
+    ----------
+    limb, axes, inputs, frequencies_hz
+        As of `focus`.
+    strong
+        Weight of each output that is to be strong; the response of the first one is 1.
+    quiet
+        Weight of each output that is to be quiet.  Outputs not named may be loud.
+    beta
+        From 1e-6, sharp, to 1e9, strong.
+
+    Raises
+    ------
+    InvalidInputError
+        There is no such place or output, one is to be strong and quiet, or mostly noise.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> strong, quiet = {28: 1.0, 29: 1.0}, {19: 1.0, 20: 1.0, 10: 1.0, 11: 1.0}
+    >>> painted = ss.inverse.paint("synthetic-1", strong, quiet, frequencies_hz=[100.0])
+    >>> bool(painted.spread_db < 1.0)
+    True
+    """
+    responses = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
+    wish = Wish.of(responses, list(strong), list(quiet))
+    of_strong, of_quiet = (
+        np.array([_checked_weight(weight) for weight in weights.values()])
+        for weights in (strong, quiet)
+    )
+    # Few strong outputs count as much as many quiet ones.
+    roots = np.sqrt(of_strong * of_quiet.sum() / of_strong.sum())
+    wish = replace(wish, weights=np.broadcast_to(of_quiet, wish.weights.shape))
+    betas = np.full(len(wish.row), _checked_beta(beta))
+    rows = np.stack([target_row(responses, output) for output in wish.strong], axis=1)
+    rows = roots[:, None] * rows
+    inverse = wish.inverse(betas, gram_of(rows))
+    back = inverse @ rows.conj().swapaxes(1, 2)
+    onward = rows @ back
+    phases = _phases(np.linalg.eigh(onward).eigenvectors[..., -1])
+    for _ in range(_ITERATIONS):
+        phases = _phases(np.einsum("fst,t,ft->fs", onward, roots, phases))
+    drives = np.einsum("fis,s,fs->fi", back, roots, phases)
+    painted = wish.solved(drives, betas, inverse)
+    return replace(painted, gram=painted.gram + gram_of(rows[:, 1:]))
+
+
+def _phases(values: Complexes) -> Complexes:
+    return np.exp(1j * np.angle(values))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Wish:
+    """What is to be strong and quiet on a limb.
+
+    Attributes
+    ----------
+    responses
+        Of the inputs in use.
+    strong, quiet
+        Outputs, from 1.
+    weights : (n_bins, n_quiet)
+        Of the energies of quiet outputs.
+    """
+
+    responses: Responses
+    strong: tuple[int, ...]
+    quiet: tuple[int, ...]
+    weights: Floats
+
+    @staticmethod
+    def of(responses: Responses, strong: Sequence[int], quiet: Sequence[int] | None) -> Wish:
+        """Return the wish for these outputs; None: all others on the hand are quiet.
+
+        Raises
+        ------
+        InvalidInputError
+            There is no such output, one is both, a strong one is mostly noise, or one kind lacks.
+        """
+        checked = tuple(responses.check_target(output) for output in strong)
+        silent = quiet_of(responses, checked, quiet)
+        if not checked or not silent:
+            kind = "strong" if silent else "quiet"
+            raise InvalidInputError(f"No output is to be {kind}. Name one.")
+        weights = np.ones((len(responses.values), len(silent)))
+        return Wish(responses=responses, strong=checked, quiet=silent, weights=weights)
+
+    @cached_property
+    def row(self) -> Complexes:
+        """Responses of the first strong output, (n_bins, n_used)."""
+        return target_row(self.responses, self.strong[0])
+
+    @cached_property
+    def gram(self) -> Complexes:
+        """Weighted sum of conj(G) G over the quiet rows, (n_bins, n_used, n_used)."""
+        n_axes = self.responses.values.shape[2]
+        factors = np.sqrt(np.repeat(self.weights, n_axes, axis=1))
+        return gram_of(factors[..., None] * self.responses.rows(self.quiet))
+
+    def inverse(self, beta: Floats, kept: Complexes | float = 0.0) -> Complexes:
+        """Return (R + λ)⁻¹, (n_bins, n_used, n_used), with another Gram matrix beside R."""
+        load = (beta * loading(self.gram))[:, None, None] * np.eye(self.gram.shape[-1])
+        return np.linalg.inv(self.gram + kept + load)
+
+    def focused(self, beta: float = 0.3, effort_db: float | None = None) -> Focus:
+        """Return the focus of `loaded`."""
+        drives, betas = loaded(self.row, self.gram, beta=beta, effort_db=effort_db)
+        return self.solved(drives, betas, self.inverse(betas))
+
+    def reversed_in_time(self) -> Focus:
+        """Return the focus of drives that do not know what is quiet."""
+        nothing = np.zeros_like(self.gram)
+        drives, _ = loaded(self.row, nothing)
+        seen = self.solved(drives, np.full(len(drives), np.inf), nothing)
+        return replace(seen, gram=nothing)
+
+    def solved(self, drives: Complexes, beta: Floats, inverse: Complexes) -> Focus:
+        """Return the focus of drives of the inputs in use, (n_bins, n_used), and their inverse."""
+        drives = drives / (self.row * drives).sum(axis=1, keepdims=True)
+        energy = energy_of(self.responses, drives)
+        strong, quiet = (energy[:, np.array(which) - 1] for which in (self.strong, self.quiet))
+        others = np.array(sorted({*self.quiet, *self.responses.others} - {*self.strong}))
+        bright, of_others = strong.mean(axis=1), energy[:, others - 1]
+        limb = self.responses.limb
+        everywhere = np.zeros((len(drives), limb.n_inputs), complex)
+        everywhere[:, np.array(self.responses.inputs) - 1] = drives
+        return Focus(
+            limb=limb,
+            target=self.strong[0],
+            inputs=self.responses.inputs,
+            frequencies_hz=self.responses.frequencies_hz,
+            drives=everywhere,
+            beta=beta,
+            row=self.row,
+            gram=self.gram,
+            mean_contrast_db=power_db(bright, quiet.mean(axis=1)),
+            unseen_contrast_db=self._unseen_contrast_db(drives, inverse),
+            loudest_other_db=power_db(bright, of_others.max(axis=1)),
+            loudest_other=others[of_others.argmax(axis=1)],
+            spread_db=power_db(strong.max(axis=1), strong.min(axis=1)),
+        )
+
+    def _unseen_contrast_db(self, drives: Complexes, inverse: Complexes) -> Floats:
+        """Return the contrast at quiet outputs, each left out of the design with the same λ."""
+        values, weights = self.responses.values, self.weights[:, :, None, None]
+        rows, of_strong = (values[:, np.array(which) - 1] for which in (self.quiet, self.strong))
+        passed = rows @ inverse[:, None]
+        hidden = weights * (passed @ rows.conj().swapaxes(2, 3))
+        seen = np.einsum("foai,fi->foa", rows, drives, optimize=True)
+        unseen = np.linalg.solve(np.eye(hidden.shape[-1]) - hidden, seen[..., None])
+        back = passed.conj().swapaxes(2, 3) @ (weights * unseen)
+        changed = drives[:, None] + back[..., 0]
+        at_strong = np.einsum("fsai,foi->fosa", of_strong, changed, optimize=True)
+        bright = np.square(np.abs(at_strong)).sum(axis=3).mean(axis=2)
+        ratio = np.square(np.abs(unseen)).sum(axis=(2, 3)) / bright
+        return -power_db(ratio.mean(axis=1), np.ones(len(ratio)))
 
 
 @checking
@@ -217,38 +498,37 @@ def loaded(
     # Of a row of length 1, no square leaves the range of floats.
     row = row / size
     values, vectors = np.linalg.eigh(gram)
-    values = np.maximum(values, 0.0)
+    values, unit = np.maximum(values, 0.0), loading(gram)
     within = np.einsum("fji,fj->fi", vectors.conj(), row.conj())
     shares = np.square(np.abs(within))
 
-    def effort(betas: Floats) -> Floats:
-        weights = 1.0 / (values + loading(gram, betas)[:, None])
-        weights /= weights.max(axis=1, keepdims=True)
-        return (shares * weights**2).sum(axis=1) / (shares * weights).sum(axis=1) ** 2
-
     betas = np.full(len(row), beta)
     if effort_db is not None:
-        betas = _least_beta(effort, 10.0 ** (effort_db / 10.0), len(row))
-    weights = 1.0 / (values + loading(gram, betas)[:, None])
-    x = np.einsum("fij,fj->fi", vectors, within * weights)
+        betas = _least_beta(values / unit[:, None], shares, 10.0 ** (effort_db / 10.0))
+    x = np.einsum("fij,fj->fi", vectors, within / (values + (betas * unit)[:, None]))
     return x / ((row * x).sum(axis=1, keepdims=True) * size), betas
 
 
-def _least_beta(effort: Callable[[Floats], Floats], most: float, n_bins: int) -> Floats:
-    low, high = (np.full(n_bins, np.log(limit)) for limit in (LEAST_BETA, MOST_BETA))
-    # Where the least of all is allowed, it stays.
-    allowed = effort(np.exp(low)) <= most
-    for _ in range(_HALVINGS):
-        middle = 0.5 * (low + high)
-        enough = effort(np.exp(middle)) <= most
-        low, high = np.where(enough, low, middle), np.where(enough, middle, high)
-    return np.where(allowed, LEAST_BETA, np.exp(high))
+def _least_beta(values: Floats, shares: Floats, most: float) -> Floats:
+    """Return the least β whose effort is at most ``most``, (n_bins,).
+
+    Of the matrix in units of λ at β = 1: eigenvalues, and the row's energy along each vector.
+    """
+    bins = np.arange(len(values))
+    lowest, highest = (np.full(len(values), np.log(limit)) for limit in (LEAST_BETA, MOST_BETA))
+    for _ in range(_REFINEMENTS):
+        tried = np.linspace(lowest, highest, _TRIED, axis=1)
+        weights = 1.0 / (values[:, None] + np.exp(tried)[..., None])
+        effort = np.vecdot(weights**2, shares[:, None]) / np.vecdot(weights, shares[:, None]) ** 2
+        first = (effort <= most).argmax(axis=1)
+        lowest, highest = tried[bins, np.maximum(first - 1, 0)], tried[bins, first]
+    return np.exp(highest)
 
 
-def loading(gram: Complexes, beta: Floats) -> Floats:
-    """Return λ = β tr(R) / n, (n_bins,); 1 where R is 0."""
+def loading(gram: Complexes) -> Floats:
+    """Return λ at β = 1: tr(R) / n, (n_bins,); 1 where R is 0."""
     mean = np.trace(gram, axis1=1, axis2=2).real / gram.shape[-1]
-    return np.multiply(beta, mean, out=np.ones(len(gram)), where=mean > 0.0)
+    return np.where(mean > 0.0, mean, 1.0)
 
 
 def gram_of(rows: Complexes) -> Complexes:
@@ -278,13 +558,11 @@ def quiet_of(
     Raises
     ------
     InvalidInputError
-        There is none, or one of them is to be strong.
+        There is no such output, or it is to be strong.
     """
     if quiet is None:
         return tuple(output for output in responses.others if output not in strong)
     checked = tuple(dict.fromkeys(responses.check_output(output) for output in quiet))
-    if not checked:
-        raise InvalidInputError("quiet names no output. Name one, or take time reversal.")
     both = [output for output in checked if output in strong]
     if both:
         raise InvalidInputError(
@@ -293,77 +571,10 @@ def quiet_of(
     return checked
 
 
-def judged(
-    responses: Responses,
-    target: int,
-    quiet: tuple[int, ...],
-    drives: Complexes,
-    beta: Floats,
-    row: Complexes,
-    gram: Complexes,
-    unseen_contrast_db: Floats | None = None,
-) -> Focus:
-    """Return a `Focus` with these drives of the inputs in use, (n_bins, n_used).
-
-    What it saw of quiet outputs is what it is on others, where it was not made with them.
-    """
-    energy = energy_of(responses, drives)
-    of_target = energy[:, target - 1]
-    mean_db = power_db(of_target, energy[:, np.array(quiet) - 1].mean(axis=1))
-    others = np.array(sorted({*quiet, *responses.others} - {target}))
-    loudest = energy[:, others - 1].argmax(axis=1)
-    return Focus(
-        limb=responses.limb,
-        target=target,
-        inputs=responses.inputs,
-        frequencies_hz=responses.frequencies_hz,
-        drives=on_all_inputs(responses, drives),
-        beta=beta,
-        row=row,
-        gram=gram,
-        mean_contrast_db=mean_db,
-        unseen_contrast_db=mean_db if unseen_contrast_db is None else unseen_contrast_db,
-        loudest_other_db=power_db(of_target, energy[:, others - 1].max(axis=1)),
-        loudest_other=others[loudest],
-    )
-
-
 def energy_of(responses: Responses, drives: Complexes) -> Floats:
     """Return the energy at all outputs over their axes, (n_bins, n_outputs)."""
     field = np.einsum("foai,fi->foa", responses.values, drives, optimize=True)
     return np.square(np.abs(field)).sum(axis=2)
-
-
-def on_all_inputs(responses: Responses, drives: Complexes) -> Complexes:
-    """Return the drives of all inputs of the limb, (n_bins, n_inputs)."""
-    everywhere = np.zeros((len(drives), responses.limb.n_inputs), complex)
-    everywhere[:, np.array(responses.inputs) - 1] = drives
-    return everywhere
-
-
-def _unseen_contrast_db(
-    responses: Responses,
-    target: int,
-    quiet: tuple[int, ...],
-    row: Complexes,
-    gram: Complexes,
-    beta: Floats,
-) -> Floats:
-    """Return the contrast at quiet outputs, each left out of the design with the same λ."""
-    n = gram.shape[-1]
-    inverse = np.linalg.inv(gram + loading(gram, beta)[:, None, None] * np.eye(n))
-    rows = responses.values[:, np.array(quiet) - 1]
-    x = np.einsum("fij,fj->fi", inverse, row.conj())
-    passed = rows @ inverse[:, None]
-    hidden = passed @ rows.conj().swapaxes(2, 3)
-    seen = np.einsum("foai,fi->foa", rows, x)
-    unseen = np.linalg.solve(np.eye(hidden.shape[-1]) - hidden, seen[..., None])[..., 0]
-    of_target = responses.values[:, target - 1]
-    back = np.einsum("fbi,foai->foba", of_target, passed.conj(), optimize=True)
-    at_target = np.einsum("fbi,fi->fb", of_target, x)[:, None]
-    at_target = at_target + np.einsum("foba,foa->fob", back, unseen)
-    ratio = np.square(np.abs(unseen)).sum(axis=2) / np.square(np.abs(at_target)).sum(axis=2)
-    return -power_db(ratio.mean(axis=1), np.ones(len(ratio)))
 
 
 def effort_db(drives: Complexes, row: Complexes) -> Floats:
@@ -390,3 +601,7 @@ def _checked_beta(beta: float) -> float:
 
 def _checked_effort(value: float) -> float:
     return real_number("effort_db", value, "a number of 0 dB or more", least=0.0)
+
+
+def _checked_weight(weight: float) -> float:
+    return real_number("weight", weight, "a number above 0", least=1e-9)
