@@ -8,7 +8,7 @@ from skinsource import Design, View, edits, open_design, save_design, track
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.edits.motions import motion_of, with_whole_motions
-from skinsource.design.target import Target, is_unsolved, target_in
+from skinsource.design.target import Target, conditions_of, is_unsolved, target_in
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Tone
@@ -28,8 +28,14 @@ def painted(design=PLAIN, outputs=(30,), brush="strong"):
     return edits.paint_target(design, View(), outputs, brush).design
 
 
+def a_solution(design, places=(7, 9), drives=DRIVES):
+    conditions = conditions_of(design)
+    return replace(target_in(design)[1], places=places, drives=drives, solved_for=conditions)
+
+
 def solved(design=None, places=(7, 9), drives=DRIVES):
-    return edits.solve_target(design or painted(), View(), places, drives).design
+    design = design or painted()
+    return edits.solve_target(design, View(), a_solution(design, places, drives)).design
 
 
 def after_edit(design, edit, *more):
@@ -87,7 +93,7 @@ def test_drives_are_wanted_anew_where_they_depend_on_what_changed(edit, more, un
 def test_other_places_take_over_and_selected_clips_stay_so():
     design = solved()
     view = View(selected_clips=(design.inputs[0].clips[0].id,))
-    outcome = edits.solve_target(design, view, (9, 10), DRIVES[::-1])
+    outcome = edits.solve_target(design, view, a_solution(design, (9, 10)))
     assert [track.location for track in outcome.design.inputs] == [7, 9, 10]
     assert outcome.view is view
 
@@ -117,13 +123,32 @@ def test_what_a_target_cannot_be_is_refused():
     for outcome in (
         edits.change_target(PLAIN, View(), "beta", 1.0),
         edits.detach_target(PLAIN, View()),
-        edits.solve_target(PLAIN, View(), (7,), DRIVES[:1]),
+        edits.solve_target(PLAIN, View(), Target()),
         edits.change_target(painted(), View(), "beta", 0.0),
         edits.change_target(painted(), View(), "colour", 1),
         edits.change_target(painted(), View(), "quiet", (30,)),
         edits.paint_target(PLAIN, View(), [30], "loud"),
-        edits.solve_target(painted(), View(), (7,), DRIVES),
+        edits.paint_target(PLAIN, View(), [30], "select"),
     ):
         assert isinstance(outcome, Refusal)
     with pytest.raises(InvalidInputError, match="strong and quiet"):
         Target(strong=(3,), quiet=(3,))
+    with pytest.raises(InvalidInputError, match="1 places and 2 drives"):
+        Target(places=(7,), drives=DRIVES)
+
+
+def test_drives_of_an_older_wish_play_until_it_is_solved():
+    design = painted()
+    older = a_solution(design)
+    newer = edits.change_target(design, View(), "beta", 1.0).design
+    after = edits.solve_target(newer, View(), older).design
+    assert [track.location for track in after.inputs[1:]] == [7, 9]
+    assert is_unsolved(after)
+    louder = edits.change_target(design, View(), "amplitude", 2.0).design
+    assert not is_unsolved(edits.solve_target(louder, View(), older).design)
+
+
+def test_a_target_without_strong_outputs_plays_nothing():
+    erased = painted(painted(solved(), (31,), "quiet"), (30,), "erase")
+    assert erased.inputs == PLAIN.inputs
+    assert not is_unsolved(erased)

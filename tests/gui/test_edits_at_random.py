@@ -11,6 +11,7 @@ from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.conventions import LIMB_NAMES
 from skinsource.design.effects import EFFECTS
 from skinsource.design.motions import MOTIONS, Alternation
+from skinsource.design.target import Target
 from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.perception.validity import Finding
 from skinsource.specs.samples import Samples
@@ -71,11 +72,10 @@ BY_NAME = {
     **dict.fromkeys(("curve", "points"), curves),
     "actuation": st.none() | switches.map(lambda on: replace(ACTUATION, on=on)),
     "axes": st.sampled_from(["x", "yz", "xyz", "", "zyx"]),
-    "brush": st.sampled_from(["strong", "quiet", "erase", "loud"]),
+    "brush": st.sampled_from(["strong", "quiet", "erase", "select", "loud"]),
     "by_tracks": steps_down,
     "column": st.sampled_from(["frequency", "amplitude", ""]),
     "finding": findings,
-    "drives": st.lists(st.just(DRIVE), max_size=2),
     "fragment": st.just(edits.fragment_of(START, (1, 3))),
     "gain": st.sampled_from([1.0, 0.3, 1e9, -1.0]),
     "kind": st.sampled_from([*(kind.__name__ for kind in EFFECTS), *WAVEFORMS, "Echo"]),
@@ -90,11 +90,11 @@ BY_NAME = {
     "name": st.sampled_from([*FIELDS, *FIELDS_OF_EFFECTS]),
     "other": st.sampled_from([Design(limb="synthetic-2"), Design(limb="lab-9")]),
     "outputs": st.lists(st.integers(0, 73), max_size=4),
-    "places": st.lists(places, max_size=2),
     "sample_rate_hz": st.sampled_from([1300.0, 48_000.0]),
     "samples": st.sampled_from([(0.0, 0.5, -1.0), (), (1.0, float("nan"))]),
     "rig": st.none() | st.just(RIG),
     "scaling": st.sampled_from(["upstream", "relative", "probe", "loud"]),
+    "solved": st.sampled_from([Target(strong=(3,)), Target(places=(7,), drives=(DRIVE,)), None]),
     "span": st.sampled_from(["record", "loudest", "other"]),
     "start": st.none() | one_id,
     "waveform": st.sampled_from([Tone(frequency_hz=33.0), Tap(), None]),

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
+from skinsource.base.conventions import Axes
 from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design.clips import PLACE
 from skinsource.design.design import AXES, OUTPUTS, Design, Input
@@ -41,6 +42,7 @@ MOST = NumberSpec(
     unset="all",
 )
 DRIVES = ListSpec(label="Drives", of=SAMPLES, most=MAX_PATH)
+NO_TARGET = "There is no target; paint a strong output on the skin map."
 SOLVED_FOR = TextSpec(label="Solved for", longest=400, one_line=True)
 
 
@@ -85,7 +87,7 @@ class Target(fields.CheckedModel):
 
     strong: tuple[int, ...] = fields.field(replace(OUTPUTS, label="Strong"), ())
     quiet: tuple[int, ...] = fields.field(replace(OUTPUTS, label="Quiet"), ())
-    axes: str = fields.choice("z", AXES)
+    axes: Axes = fields.choice("z", AXES)
     beta: float = fields.number(0.3, BETA)
     inputs: tuple[int, ...] = fields.field(INPUTS, ())
     most: int = fields.number(0, MOST)
@@ -138,7 +140,15 @@ class Target(fields.CheckedModel):
             strong = (*strong, *outputs)
         elif brush == "quiet":
             quiet = (*quiet, *outputs)
-        return self.with_fields(strong=tuple(sorted(strong)), quiet=tuple(sorted(quiet)))
+        changes: dict[str, Any] = {"strong": tuple(sorted(strong)), "quiet": tuple(sorted(quiet))}
+        return self.with_fields(**changes if strong else {"places": (), "drives": ()} | changes)
+
+    def taking_drives(self, solved: Target) -> Target:
+        """Return a copy with the drives of a solved target, solved if that wants the same."""
+        unsolved: dict[str, Any] = {"places": (), "drives": (), "solved_for": ""}
+        wanted = replace(solved, amplitude=self.amplitude, onset_s=self.onset_s, **unsolved)
+        solved_for = solved.solved_for if wanted == replace(self, **unsolved) else ""
+        return replace(self, places=solved.places, drives=solved.drives, solved_for=solved_for)
 
 
 def target_in(design: Design) -> tuple[int, Target] | None:
@@ -159,4 +169,6 @@ def conditions_of(design: Design) -> str:
 def is_unsolved(design: Design) -> bool:
     """Return whether the drives of the target of a design have to be found."""
     found = target_in(design)
-    return found is not None and found[1].solved_for != conditions_of(design)
+    if found is None or not found[1].strong:
+        return False
+    return found[1].solved_for != conditions_of(design)

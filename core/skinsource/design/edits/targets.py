@@ -13,16 +13,8 @@ from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal, listed, refusing
 from skinsource.design.edits.motions import add_motion, change_motion
-from skinsource.design.target import Target, conditions_of, target_in
-from skinsource.specs.samples import Samples
-from skinsource.specs.spec import ChoiceSpec
-
-BRUSH = ChoiceSpec(
-    label="Brush",
-    options=(("strong", "Strong"), ("quiet", "Quiet"), ("erase", "Erase")),
-    hint="What a click or drag on the skin map does",
-)
-NO_TARGET = "There is no target; paint a strong output on the skin map."
+from skinsource.design.panel_settings import BRUSH, NO_BRUSH
+from skinsource.design.target import NO_TARGET, Target, target_in
 
 
 @refusing
@@ -40,6 +32,8 @@ def paint_target(
     (30,) Paint 1 output strong
     """
     outputs, brush = listed(outputs), BRUSH.checked(brush)
+    if brush == NO_BRUSH:
+        return Refusal(sentence="No brush is chosen; take Strong, Quiet or Erase.")
     found = target_in(design)
     target = Target() if found is None else found[1]
     if found is None:
@@ -73,28 +67,22 @@ def change_target(design: Design, view: View, name: str, value: Any) -> Edit | R
 
 
 @refusing
-def solve_target(
-    design: Design, view: View, places: Sequence[int], drives: Sequence[Samples]
-) -> Edit | Refusal:
-    """Have the target play these drives at these places.
+def solve_target(design: Design, view: View, solved: Target) -> Edit | Refusal:
+    """Have the target play the drives of a solved one.
 
     Examples
     --------
     >>> import skinsource as ss
-    >>> from skinsource.specs.samples import Samples
+    >>> from skinsource.inverse.aiming import aim_of
     >>> design = ss.edits.paint_target(ss.Design(limb="synthetic-1"), ss.View(), [30]).design
-    >>> drive = Samples(values=[0.0, 1.0, 0.0], sample_rate_hz=1300.0)
-    >>> edit = ss.edits.solve_target(design, ss.View(), [7, 8], [drive, drive])
-    >>> print([track.location for track in edit.design.inputs])
-    [7, 8]
+    >>> solved = aim_of(design).solved(design)
+    >>> print(len(ss.edits.solve_target(design, ss.View(), solved).design.inputs))
+    15
     """
     found = target_in(design)
     if found is None:
         return Refusal(sentence=NO_TARGET)
-    solved = found[1].with_fields(
-        places=listed(places), drives=tuple(drives), solved_for=conditions_of(design)
-    )
-    return _with_target(design, view, solved, "Solve target")
+    return _with_target(design, view, found[1].taking_drives(solved), "Solve target")
 
 
 @refusing
