@@ -38,6 +38,11 @@ def solved(design=None, places=(7, 9), drives=DRIVES):
     return edits.solve_target(design, View(), a_solution(design, places, drives)).design
 
 
+def changed(design, **changes):
+    target = replace(target_in(design)[1], **changes)
+    return edits.change_target(design, View(), target).design
+
+
 def after_edit(design, edit, *more):
     return with_whole_motions(design, edit(design, View(), *more))
 
@@ -75,10 +80,6 @@ def test_a_target_comes_back_from_a_file(design, tmp_path):
     ("edit", "more", "unsolved"),
     [
         (edits.paint_target, ([31], "quiet"), True),
-        (edits.change_target, ("beta", 1.0), True),
-        (edits.change_target, ("waveform", Tap()), True),
-        (edits.change_target, ("amplitude", 2.0), False),
-        (edits.change_target, ("onset_s", 0.3), False),
         (edits.change_limb, ("synthetic-2",), True),
         (edits.change_scaling, ("relative",), True),
         (edits.mute_inputs, ((2,), True), False),
@@ -90,6 +91,23 @@ def test_drives_are_wanted_anew_where_they_depend_on_what_changed(edit, more, un
     assert len(after.motions) == 1
 
 
+@pytest.mark.parametrize(
+    ("changes", "unsolved"),
+    [
+        ({"beta": 1.0}, True),
+        ({"waveform": Tap()}, True),
+        ({"most": 3}, True),
+        ({"amplitude": 2.0}, False),
+        ({"onset_s": 0.3}, False),
+    ],
+)
+def test_fields_want_other_drives_unless_the_same_are_louder_or_later(changes, unsolved):
+    after = changed(solved(), **changes)
+    assert is_unsolved(after) == unsolved
+    assert [each.clips[0].waveform for each in after.inputs[1:]] == [Drawn(it) for it in DRIVES]
+    assert {each.clips[0].onset_s for each in after.inputs[1:]} == {changes.get("onset_s", 0.0)}
+
+
 def test_other_places_take_over_and_selected_clips_stay_so():
     design = solved()
     view = View(selected_clips=(design.inputs[0].clips[0].id,))
@@ -99,7 +117,7 @@ def test_other_places_take_over_and_selected_clips_stay_so():
 
 
 def test_clips_that_move_together_stay_a_target_and_keep_its_waveform():
-    design = solved(edits.change_target(painted(), View(), "waveform", Tap()).design)
+    design = solved(changed(painted(), waveform=Tap()))
     ids = design.motions[0].clips
     moved = after_edit(design, edits.move_clips, ids, 0.2).design
     assert target_in(moved)[1] == replace(target_in(design)[1], onset_s=0.2)
@@ -121,12 +139,9 @@ def test_a_detached_target_is_ordinary_tracks():
 
 def test_what_a_target_cannot_be_is_refused():
     for outcome in (
-        edits.change_target(PLAIN, View(), "beta", 1.0),
         edits.detach_target(PLAIN, View()),
         edits.solve_target(PLAIN, View(), Target()),
-        edits.change_target(painted(), View(), "beta", 0.0),
-        edits.change_target(painted(), View(), "colour", 1),
-        edits.change_target(painted(), View(), "quiet", (30,)),
+        edits.change_target(painted(), View(), Tone()),
         edits.paint_target(PLAIN, View(), [30], "loud"),
         edits.paint_target(PLAIN, View(), [30], "select"),
     ):
@@ -140,11 +155,11 @@ def test_what_a_target_cannot_be_is_refused():
 def test_drives_of_an_older_wish_play_until_it_is_solved():
     design = painted()
     older = a_solution(design)
-    newer = edits.change_target(design, View(), "beta", 1.0).design
+    newer = changed(design, beta=1.0)
     after = edits.solve_target(newer, View(), older).design
     assert [track.location for track in after.inputs[1:]] == [7, 9]
     assert is_unsolved(after)
-    louder = edits.change_target(design, View(), "amplitude", 2.0).design
+    louder = changed(design, amplitude=2.0)
     assert not is_unsolved(edits.solve_target(louder, View(), older).design)
 
 

@@ -58,6 +58,7 @@ findings = st.builds(
     factor=st.floats(0.1, 1.0),
     outputs=st.just((1, 2, 72)),
 )
+targets = st.sampled_from([Target(strong=(3,)), Target(places=(7,), drives=(DRIVE,)), None])
 FIELDS = ("amplitude", "onset_s", "frequency_hz", "duration_s", "seed", "window", "gains_db", "id")
 FIELDS_OF_EFFECTS = ("in_s", "times", "factor", "to_s", "points", "on", "low_hz", "")
 WAVEFORMS = ("Tone", "Tap", "Impulse", "Noise", "WaveletTrain", "Siren")
@@ -94,7 +95,7 @@ BY_NAME = {
     "samples": st.sampled_from([(0.0, 0.5, -1.0), (), (1.0, float("nan"))]),
     "rig": st.none() | st.just(RIG),
     "scaling": st.sampled_from(["upstream", "relative", "probe", "loud"]),
-    "solved": st.sampled_from([Target(strong=(3,)), Target(places=(7,), drives=(DRIVE,)), None]),
+    **dict.fromkeys(("solved", "target"), targets),
     "span": st.sampled_from(["record", "loudest", "other"]),
     "start": st.none() | one_id,
     "waveform": st.sampled_from([Tone(frequency_hz=33.0), Tap(), None]),
@@ -102,7 +103,6 @@ BY_NAME = {
 #: Where one of them may be something else besides.
 BESIDES = {
     ("add_waveform", "input_id"): st.none(),
-    ("change_target", "name"): st.sampled_from(["beta", "most", "strong", "onset_s", "inputs"]),
     ("match_tracks", "levels_db"): st.dictionaries(one_id, st.floats(-200, 200), max_size=3),
     ("place_fragment", "input_id"): st.none(),
     ("place_fragment", "location"): st.none(),

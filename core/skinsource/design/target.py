@@ -32,6 +32,8 @@ BETA = NumberSpec(
     step=0.1,
     logarithmic=True,
     hint="β: small is sharp, large is strong",
+    # It has a slider.
+    editable=False,
 )
 MOST = NumberSpec(
     label="Inputs at most",
@@ -41,9 +43,13 @@ MOST = NumberSpec(
     hint="Number of places that play",
     unset="all",
 )
-DRIVES = ListSpec(label="Drives", of=SAMPLES, most=MAX_PATH)
+PLACES = replace(INPUTS, label="Places", editable=False)
+DRIVES = ListSpec(label="Drives", of=SAMPLES, most=MAX_PATH, editable=False)
 NO_TARGET = "There is no target; paint a strong output on the skin map."
-SOLVED_FOR = TextSpec(label="Solved for", longest=400, one_line=True)
+LEVEL_THERE = replace(LEVEL, label="Level", unit="m/s²", hint="Peak at the strong outputs")
+SOLVED_FOR = TextSpec(label="Solved for", longest=400, one_line=True, editable=False)
+STRONG = replace(OUTPUTS, label="Strong", hint="Outputs, painted on the skin map or typed")
+QUIET = replace(STRONG, label="Quiet", hint="Outputs; none: all others on the hand")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,16 +91,16 @@ class Target(fields.CheckedModel):
         "is not predicted; pads and palm have no output."
     )
 
-    strong: tuple[int, ...] = fields.field(replace(OUTPUTS, label="Strong"), ())
-    quiet: tuple[int, ...] = fields.field(replace(OUTPUTS, label="Quiet"), ())
+    strong: tuple[int, ...] = fields.field(STRONG, ())
+    quiet: tuple[int, ...] = fields.field(QUIET, ())
     axes: Axes = fields.choice("z", AXES)
     beta: float = fields.number(0.3, BETA)
     inputs: tuple[int, ...] = fields.field(INPUTS, ())
     most: int = fields.number(0, MOST)
     waveform: Waveform = fields.field(WAVEFORM, Tone(100.0, duration_s=0.2))
-    amplitude: float = fields.number(1.0, LEVEL)
+    amplitude: float = fields.number(1.0, LEVEL_THERE)
     onset_s: float = fields.number(0.0, START)
-    places: tuple[int, ...] = fields.field(INPUTS, ())
+    places: tuple[int, ...] = fields.field(PLACES, ())
     drives: tuple[Samples, ...] = fields.field(DRIVES, ())
     solved_for: str = fields.text("", SOLVED_FOR)
 
@@ -125,11 +131,6 @@ class Target(fields.CheckedModel):
         waveforms = ({"waveform": Drawn(samples)} for samples in self.drives)
         return tracks_of(self, self.places, waveforms)
 
-    def with_fields(self, **changes: Any) -> Target:
-        """Return a copy with other fields, to be solved anew where the drives depend on them."""
-        solved_for = self.solved_for if changes.keys() <= {"amplitude", "onset_s"} else ""
-        return replace(self, **{"solved_for": solved_for} | changes)
-
     def painted(self, outputs: tuple[int, ...], brush: str) -> Target:
         """Return a copy with outputs that are ``"strong"`` or ``"quiet"``; else they are free."""
         strong, quiet = (
@@ -141,10 +142,10 @@ class Target(fields.CheckedModel):
         elif brush == "quiet":
             quiet = (*quiet, *outputs)
         changes: dict[str, Any] = {"strong": tuple(sorted(strong)), "quiet": tuple(sorted(quiet))}
-        return self.with_fields(**changes if strong else {"places": (), "drives": ()} | changes)
+        return replace(self, **changes).taking_drives(self if strong else Target())
 
     def taking_drives(self, solved: Target) -> Target:
-        """Return a copy with the drives of a solved target, solved if that wants the same."""
+        """Return a copy with the drives of another target, solved if that wants the same."""
         unsolved: dict[str, Any] = {"places": (), "drives": (), "solved_for": ""}
         wanted = replace(solved, amplitude=self.amplitude, onset_s=self.onset_s, **unsolved)
         solved_for = solved.solved_for if wanted == replace(self, **unsolved) else ""

@@ -7,9 +7,8 @@ from the window, see `skinsource.design.target.is_unsolved`.
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
 
-from skinsource.base.errors import InvalidInputError, counted, quoted
+from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal, listed, refusing
 from skinsource.design.edits.motions import add_motion, change_motion
@@ -47,23 +46,22 @@ def paint_target(
 
 
 @refusing
-def change_target(design: Design, view: View, name: str, value: Any) -> Edit | Refusal:
-    """Change a field of the target.
+def change_target(design: Design, view: View, target: Target) -> Edit | Refusal:
+    """Change fields of the target; its drives stay until it is solved.
 
     Examples
     --------
+    >>> from dataclasses import replace
     >>> import skinsource as ss
+    >>> from skinsource.design.target import target_in
     >>> design = ss.edits.paint_target(ss.Design(limb="synthetic-1"), ss.View(), [30]).design
-    >>> edit = ss.edits.change_target(design, ss.View(), "beta", 1.0)
-    >>> print(edit.design.motions[0].motion.beta)
-    1.0
+    >>> sharper = replace(target_in(design)[1], beta=0.1)
+    >>> print(ss.edits.change_target(design, ss.View(), sharper).design.motions[0].motion.beta)
+    0.1
     """
     found = target_in(design)
-    if found is None:
-        return Refusal(sentence=NO_TARGET)
-    if name not in Target.__dataclass_fields__:
-        return Refusal(sentence=f"A target has no field {quoted(name)}.")
-    return _with_target(design, view, found[1].with_fields(**{name: value}), "Change target")
+    changed = target if found is None else target.taking_drives(found[1])
+    return _with_target(design, view, changed, "Change target")
 
 
 @refusing

@@ -1,0 +1,277 @@
+"""The panel of a target: its brush and fields, what three ways do, and what it does on others."""
+
+from dataclasses import replace
+from functools import partial
+from math import isnan, log10
+from typing import ClassVar
+
+from PySide6 import QtGui, QtWidgets
+from PySide6.QtCore import QRectF, QSize, Qt
+
+from skinsource.base.conventions import LARGEST_VELOCITY_M_PER_S
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, View
+from skinsource.design.edits.edit import leading_clip
+from skinsource.design.panel_settings import (
+    BRUSH,
+    NO_BRUSH,
+    TARGET,
+    TargetSettings,
+    brush_of,
+    with_settings,
+)
+from skinsource.design.target import BETA, Target, target_in
+from skinsource.inverse.aiming import DEEPEST_DB, OnLimb, Way
+from skinsource.limbs.locations import output_name
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.numbers import ModelSpec
+from skinsource_gui.fields.editor import Burst
+from skinsource_gui.fields.editors import new_editor
+from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.fields.parts import PartFields
+from skinsource_gui.fields.units import minus
+from skinsource_gui.plots.small_map import (
+    LEAST_MAP_PX,
+    SmallMap,
+    map_grid,
+    paint_rings,
+    paint_small_map,
+)
+from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
+from skinsource_gui.qt.labels import set_table_look
+from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.resources import columns_of
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
+from skinsource_gui.state.aiming import Found
+from skinsource_gui.state.panel import Panel
+
+_LIMIT_MM_S = 1e3 * LARGEST_VELOCITY_M_PER_S
+COLUMNS = columns_of("target", limit_mm_s=_LIMIT_MM_S)
+_STEPS_PER_DECADE = 10
+_EMPTY = "Take a brush, and paint a strong output on the skin map"
+#: Levels of the lowest and the highest colour of the small maps, dB re the strong outputs.
+_RANGE_DB = (-30.0, 0.0)
+
+
+def level_text(level_db: float) -> str:
+    """Return a level re the strong outputs.
+
+    >>> level_text(-31.0)
+    'below −20 dB in the model'
+    """
+    if isnan(level_db):
+        return "not known"
+    if level_db < DEEPEST_DB:
+        return minus(f"below {DEEPEST_DB:g} dB in the model")
+    return minus(f"{level_db:+.1f} dB")
+
+
+def row_of(way: Way, limb: str) -> tuple[str, ...]:
+    """Return the texts of a row of the table."""
+    name = output_name(way.loudest, limb).short_name
+    speed = way.velocity_m_per_s
+    return (
+        way.title,
+        f"{level_text(way.loudest_db)}, {name}",
+        level_text(way.quiet_db),
+        level_text(way.between_db),
+        level_text(way.contact_db),
+        f"{way.effort_db:.1f} dB",
+        "not known" if isnan(speed) else f"{1e3 * speed:.2g} of {_LIMIT_MM_S:g} mm/s",
+    )
+
+
+class WaysTable(QtWidgets.QTableWidget):
+    """A row for each way to reach a target."""
+
+    def __init__(self) -> None:
+        super().__init__(0, len(COLUMNS))
+        named(self, "target_ways", "Ways to reach the target")
+        set_table_look(self)
+        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.NoSelection)
+        for column, (title, meaning) in enumerate(COLUMNS.items()):
+            head = QtWidgets.QTableWidgetItem(title)
+            head.setToolTip(meaning)
+            self.setHorizontalHeaderItem(column, head)
+
+    def show_ways(self, ways: tuple[Way, ...], limb: str) -> None:
+        """Show what ways do on a limb."""
+        self.setRowCount(len(ways))
+        for row, way in enumerate(ways):
+            for column, text in enumerate(row_of(way, limb)):
+                self.setItem(row, column, QtWidgets.QTableWidgetItem(text))
+            fast = way.velocity_m_per_s > LARGEST_VELOCITY_M_PER_S
+            theme = current_theme()
+            self.item(row, 6).setForeground(QtGui.QColor(theme.error if fast else theme.text))
+            self.item(row, 1).setToolTip(output_name(way.loudest, limb).name)
+
+    def sizeHint(self) -> QSize:
+        rows = 3 * self.verticalHeader().defaultSectionSize()
+        height = self.horizontalHeader().sizeHint().height() + rows + 2 * self.frameWidth()
+        return QSize(super().sizeHint().width(), height)
+
+
+class PeopleMaps(QtWidgets.QWidget):
+    """A small map for each other limb, in one scale: what the drives of a target do there."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        named(self, "target_people", "The same drives on other limbs")
+        self.people: tuple[OnLimb, ...] = ()
+        self._strong: tuple[int, ...] = ()
+        self.setMinimumSize(round(2.0 * LEAST_MAP_PX), round(LEAST_MAP_PX))
+
+    def show_people(self, people: tuple[OnLimb, ...], strong: tuple[int, ...]) -> None:
+        """Show what drives do on limbs, and rings at the strong outputs."""
+        self.people, self._strong = people, strong
+        texts = [f"{facts_of(each.limb.name).title}: {_contrast(each)}" for each in people]
+        self.setAccessibleDescription("; ".join(texts))
+        self.setToolTip("\n".join(texts))
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(280, 180)
+
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, theme = QtGui.QPainter(self), current_theme()
+        line = painter.fontMetrics().height()
+        cells = map_grid(QRectF(self.rect()), len(self.people), 2.0 * line)
+        for cell, each in zip(cells, self.people, strict=True):
+            shown = SmallMap(limb_map=each.limb.map, levels_db=each.levels_db, hand_only=True)
+            area = cell.adjusted(4.0, 2.0 * line, -4.0, -2.0)
+            paint_small_map(painter, area, shown, None, theme, _RANGE_DB)
+            paint_rings(painter, shown, area, self._strong, theme)
+            painter.setPen(QtGui.QColor(theme.text))
+            head = QRectF(cell.left(), cell.top(), cell.width(), 2.0 * line)
+            text = f"{facts_of(each.limb.name).title.partition(' (')[0]}\n{_contrast(each)}"
+            painter.drawText(head, Qt.AlignmentFlag.AlignCenter, text)
+        painter.end()
+
+
+def _contrast(on_limb: OnLimb) -> str:
+    """Return by how much the strong outputs are louder than the loudest other one."""
+    return minus(f"{on_limb.contrast_db:+.1f} dB")
+
+
+class TargetPanel(Panel):
+    """What is to be strong and quiet, what plays there, and how near the drives come to it.
+
+    Attributes
+    ----------
+    brushes
+        Buttons of the brushes, by their names.
+    sharpness
+        From strong, at the left, to sharp.
+    ways, people
+        The table, and the small maps.
+    """
+
+    title: ClassVar[str] = "Target"
+    name: ClassVar[str] = TARGET
+
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design, self._view = Design(limb=""), View()
+        self._target = Target()
+        self.brushes = {
+            name: tool_button(self, f"brush_{name}", title, BRUSH.hint, checkable=True)
+            for name, title in BRUSH.options
+            if name != NO_BRUSH
+        }
+        for name, button in self.brushes.items():
+            button.clicked.connect(partial(self._take, name))
+        self.sharpness = named(
+            QtWidgets.QSlider(Qt.Orientation.Horizontal), "sharpness", BETA.label, BETA.hint
+        )
+        decades = log10(BETA.maximum / BETA.minimum)
+        self.sharpness.setRange(0, round(_STEPS_PER_DECADE * decades))
+        self.sharpness.valueChanged.connect(self._sharpen)
+        self._burst = Burst(self)
+        self.use_clip = page_button("use_clip", "Use clip", "Play what the selected clip plays")
+        self.use_clip.clicked.connect(self._use_clip)
+        self.detach = page_button("detach_target", "Detach", "Leave ordinary tracks behind")
+        self.detach.clicked.connect(
+            lambda: self.edited.emit(edits.detach_target(self._design, self._view), None)
+        )
+        spec = ModelSpec(label="Target", kinds=lambda: (Target,))
+        self.fields = PartFields(spec, new_editor, self)
+        self.fields.edited.connect(self._change)
+        self.grid, self.ways, self.people = FieldGrid(), WaysTable(), PeopleMaps()
+        self.said = page_label("target_said")
+        self.about = page_label("target_about", Target.limits, tone="dim")
+        self._lay_out()
+        self.show_state(self._design, self._view)
+        self.show_found(None)
+
+    def sizeHint(self) -> QSize:
+        return QSize(900, 260)
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._design, self._view = design, view
+        facts, found = facts_of(design.limb), target_in(design)
+        target = Target() if found is None else found[1]
+        if target.strong != self._target.strong:
+            self.show_found(None)
+        self._target = target
+        for name, button in self.brushes.items():
+            button.setChecked(name == brush_of(view))
+        self.fields.set_spec(
+            ModelSpec(label="Target", kinds=lambda: (Target,)).at_rate(
+                facts.sample_rate_hz, facts.band_hz
+            )
+        )
+        before = self.fields.cells
+        self.fields.show_model(target)
+        if self.fields.cells != before:
+            self.grid.show_cells(self.fields.cells)
+        self.sharpness.blockSignals(True)
+        self.sharpness.setValue(round(_STEPS_PER_DECADE * log10(BETA.maximum / target.beta)))
+        self.sharpness.blockSignals(False)
+        self.detach.setEnabled(found is not None)
+        self.use_clip.setEnabled(self._clip() is not None)
+
+    def show_found(self, found: Found | None) -> None:
+        """Show what is known of the target; None: there is none."""
+        shown = found or Found(design=self._design, said=(_EMPTY,))
+        self.ways.show_ways(shown.ways, shown.design.limb)
+        self.said.setText(" ".join(shown.said))
+        set_tone(self.said, "warning" if found else "dim")
+        self.people.show_people(shown.people, self._target.strong)
+        for part in (self.ways, self.people):
+            part.setVisible(bool(shown.ways))
+
+    def _clip(self) -> Clip | None:
+        clip, found = leading_clip(self._design, self._view), target_in(self._design)
+        own = () if found is None else self._design.motions[found[0]].clips
+        return None if clip is None or clip.id in own else clip
+
+    def _take(self, name: str) -> None:
+        settings = TargetSettings(brush=name if self.brushes[name].isChecked() else NO_BRUSH)
+        self.view_changed.emit(with_settings(self._view, TARGET, settings))
+
+    def _change(self, target: Target, gesture: int | None) -> None:
+        self.edited.emit(edits.change_target(self._design, self._view, target), gesture)
+
+    def _sharpen(self, steps: int) -> None:
+        beta = BETA.maximum / 10.0 ** (steps / _STEPS_PER_DECADE)
+        self._change(replace(self._target, beta=beta), self._burst.gesture())
+
+    def _use_clip(self) -> None:
+        if (clip := self._clip()) is not None:
+            self._change(replace(self._target, waveform=clip.waveform), None)
+
+    def _lay_out(self) -> None:
+        ends = [QtWidgets.QLabel(text) for text in ("Strong", "Sharp")]
+        for label in ends:
+            set_tone(label, "dim")
+        strong, sharp = ends
+        slider = in_row(strong, (self.sharpness, 1), sharp, gap_px=UNIT_PX // 2)
+        brushes = in_row(*self.brushes.values(), None, self.use_clip, self.detach)
+        inside = QtWidgets.QWidget()
+        in_column(self.grid, None, of=inside, margins=(0, 0, UNIT_PX, 0))
+        left = in_column(brushes, slider, (scrolled(inside, "target_fields"), 1))
+        middle = in_column(self.ways, self.said, self.about, None)
+        edges = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
+        in_row((left, 3), (middle, 5), (self.people, 2), of=self, margins=edges, gap_px=UNIT_PX)
