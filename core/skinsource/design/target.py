@@ -107,10 +107,13 @@ class Target(fields.CheckedModel):
     def __post_init__(self) -> None:
         fields.check(self)
         if both := set(self.strong) & set(self.quiet):
-            raise InvalidInputError(f"output {min(both)} of a target is to be strong and quiet")
+            raise InvalidInputError(
+                f"output {min(both)} of a target is strong and quiet; choose one"
+            )
         if len(self.places) != len(self.drives):
             raise InvalidInputError(
-                f"a target has {len(self.places)} places and {len(self.drives)} drives"
+                f"a target has {len(self.places)} places and {len(self.drives)} drives, expected as "
+                "many of both"
             )
 
     @property

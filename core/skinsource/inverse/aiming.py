@@ -141,7 +141,7 @@ def aim(target: Target, limb: Limb, scaling: Scaling = "probe") -> Aim:
             "acceleration."
         )
     if not target.strong:
-        raise InvalidInputError("No output is strong. Paint one on the skin map.")
+        raise InvalidInputError("No output is strong. Choose one on the skin map.")
     at_hz, power = _band_of(target, limb)
     solved = _solved(target, limb, at_hz)
     responses = responses_of(

@@ -87,7 +87,7 @@ class WaysTable(QtWidgets.QTableWidget):
 
     def __init__(self) -> None:
         super().__init__(0, len(COLUMNS))
-        named(self, "target_ways", "Ways to reach the target")
+        named(self, "target_ways", "Ways to the target")
         set_table_look(self)
         self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.NoSelection)
@@ -118,7 +118,7 @@ class PeopleMaps(QtWidgets.QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        named(self, "target_people", "The same drives on other limbs")
+        named(self, "target_people", "Same drives, other limbs")
         self.people: tuple[OnLimb, ...] = ()
         self._strong: tuple[int, ...] = ()
         self.setMinimumSize(round(2.0 * LEAST_MAP_PX), round(LEAST_MAP_PX))
