@@ -159,7 +159,7 @@ def focus(
     responses = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
     wish = Wish.of(responses, [target], quiet)
     most_db = None if effort_db is None else _checked_effort(effort_db)
-    return wish.focused(_checked_beta(beta), most_db)
+    return wish.focused(checked_beta(beta), most_db)
 
 
 @checking
@@ -331,7 +331,7 @@ def paint(
     # Few strong outputs count as much as many quiet ones.
     roots = np.sqrt(of_strong * of_quiet.sum() / of_strong.sum())
     wish = replace(wish, weights=np.broadcast_to(of_quiet, wish.weights.shape))
-    betas = np.full(len(wish.row), _checked_beta(beta))
+    betas = np.full(len(wish.row), checked_beta(beta))
     rows = np.stack([target_row(responses, output) for output in wish.strong], axis=1)
     rows = roots[:, None] * rows
     inverse = wish.inverse(betas, gram_of(rows))
@@ -589,14 +589,10 @@ def power_db(energy: Floats, reference: Floats) -> Floats:
         return 10.0 * (np.log10(energy) - np.log10(reference))
 
 
-def _checked_beta(beta: float) -> float:
-    return real_number(
-        "beta",
-        beta,
-        f"a number from {LEAST_BETA:g} to {MOST_BETA:g}",
-        least=LEAST_BETA,
-        most=MOST_BETA,
-    )
+def checked_beta(beta: float) -> float:
+    """Return β as a number; refuse what is out of its limits."""
+    expected = f"a number from {LEAST_BETA:g} to {MOST_BETA:g}"
+    return real_number("beta", beta, expected, least=LEAST_BETA, most=MOST_BETA)
 
 
 def _checked_effort(value: float) -> float:

@@ -154,7 +154,7 @@ def responses_of(
     if key not in known:
         if len(known) >= _MOST:
             known.pop(next(iter(known)))
-        known[key] = _computed(limb, axis_numbers(axes, limb.axes), used, at_hz)
+        known[key] = spectra_of(limb, axes, used, at_hz)
     return known[key]
 
 
@@ -182,15 +182,15 @@ def _checked_frequencies(frequencies_hz: ArrayLike, band: Band) -> Floats:
     return at_hz
 
 
-def _computed(
-    limb: Limb, axes: tuple[int, ...], inputs: tuple[int, ...], at_hz: Floats
-) -> Responses:
-    taps = np.stack([limb.response_to(place)[:, axes] for place in inputs])
+def spectra_of(limb: Limb, axes: Axes, inputs: tuple[int, ...], at_hz: Floats) -> Responses:
+    """Return the spectra of responses at any frequencies; they are not remembered."""
+    numbers = axis_numbers(axes, limb.axes)
+    taps = np.stack([limb.response_to(place)[:, numbers] for place in inputs])
     phase = 2.0 * np.pi / limb.sample_rate_hz * np.arange(limb.n_taps)[:, None] * at_hz
     # Two real products take half the time of a complex one.
     values = taps @ np.cos(phase) - 1j * (taps @ np.sin(phase))
     noises = [place_noise(limb, place) for place in inputs]
-    known = [noise[:, axes] for noise in noises if noise is not None]
+    known = [noise[:, numbers] for noise in noises if noise is not None]
     sizes = {each.name: getattr(limb, each.name, None) for each in fields(LimbFacts)}
     given = {name: value for name, value in sizes.items() if value is not None}
     return Responses(
