@@ -16,9 +16,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking, real_number
-from skinsource.base.conventions import Axes, Complexes, Floats, Integers
+from skinsource.base.conventions import Axes, Band, Complexes, Floats, Integers
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.responses import Responses, responses_of
+from skinsource.design.design import Design
+from skinsource.design.waveform import Waveform
+from skinsource.inverse.designing import DRIVEN_HZ, Spectrum, delay_of, designed
+from skinsource.inverse.responses import (
+    Responses,
+    gram_of,
+    loading,
+    power_db,
+    responses_of,
+)
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb, LimbFacts
 from skinsource.limbs.scaling import pulse_spectrum
@@ -106,6 +115,58 @@ class Focus:
         pulse = pulse_spectrum(self.frequencies_hz, limb.sample_rate_hz)
         at_target = np.abs((self.row * self.used_drives).sum(axis=1))
         return power_db(at_target**2, np.square(np.abs(self.drives).max(axis=1) * pulse))
+
+    @property
+    def delay_s(self) -> float:
+        """Time at which a waveform begins on the skin, after its design has begun."""
+        return delay_of(self.limb)
+
+    @checking
+    def design(
+        self,
+        waveform: Waveform,
+        level: float | None = None,
+        spectrum: Spectrum = "as drawn",
+        peak: float | None = None,
+        band_hz: Band = DRIVEN_HZ,
+    ) -> Design:
+        """Return a design that plays a waveform at the target, `delay_s` later.
+
+        Its drives are probe acceleration, as an equaliser wants it; those of own limbs are in the
+        unit of their drive.
+
+        Parameters
+        ----------
+        waveform
+            What the target does, m/s².
+        level
+            RMS of the target over its loudest 100 ms, m/s²; None: as of the waveform.
+        spectrum
+            ``"as drawn"``, or ``"natural"``: times the energy of the responses, at most 1, so that
+            little is spent where the skin answers little.
+        peak
+            Most that a drive may reach, m/s²; the best drives within it are then found, and the
+            target may become less strong.  None: there is no limit.
+        band_hz
+            Nothing is driven outside.
+
+        Raises
+        ------
+        InvalidInputError
+            A level is asked of a waveform without anything in the band.
+
+        Examples
+        --------
+        >>> import skinsource as ss
+        >>> found = ss.inverse.focus("synthetic-1", 30)
+        >>> design = found.design(ss.waveforms.Tone(frequency_hz=100.0), level=0.1)
+        >>> levels_db = ss.evaluate(
+        ...     design, "output_levels_db", view=ss.View(axes="z", span="loudest")
+        ... )["output_levels_db"]
+        >>> print(f"{levels_db[29]:.1f} dB")
+        -20.0 dB
+        """
+        return designed(self, waveform, level, spectrum, peak, band_hz)
 
 
 @checking
@@ -400,7 +461,8 @@ class Wish:
     def inverse(self, beta: Floats, kept: Complexes | float = 0.0) -> Complexes:
         """Return (R + λ)⁻¹, (n_bins, n_used, n_used), with another Gram matrix beside R."""
         load = (beta * loading(self.gram))[:, None, None] * np.eye(self.gram.shape[-1])
-        return np.linalg.inv(self.gram + kept + load)
+        inverse: Complexes = np.linalg.inv(self.gram + kept + load)
+        return inverse
 
     def focused(self, beta: float = 0.3, effort_db: float | None = None) -> Focus:
         """Return the focus of `loaded`."""
@@ -525,17 +587,6 @@ def _least_beta(values: Floats, shares: Floats, most: float) -> Floats:
     return np.exp(highest)
 
 
-def loading(gram: Complexes) -> Floats:
-    """Return λ at β = 1: tr(R) / n, (n_bins,); 1 where R is 0."""
-    mean = np.trace(gram, axis1=1, axis2=2).real / gram.shape[-1]
-    return np.where(mean > 0.0, mean, 1.0)
-
-
-def gram_of(rows: Complexes) -> Complexes:
-    """Return the sum of conj(G) G over rows, (n_bins, n_used, n_used), of (n_bins, n, n_used)."""
-    return rows.conj().swapaxes(1, 2) @ rows
-
-
 def target_row(responses: Responses, target: int) -> Complexes:
     """Return the responses of a target, (n_bins, n_used), along its strongest direction.
 
@@ -581,12 +632,6 @@ def effort_db(drives: Complexes, row: Complexes) -> Floats:
     """Return the energy of drives over the least that gives 1 at the target, (n_bins,)."""
     energies = (np.square(np.abs(each)).sum(axis=1) for each in (drives, row))
     return power_db(np.prod(list(energies), axis=0), np.ones(len(row)))
-
-
-def power_db(energy: Floats, reference: Floats) -> Floats:
-    """Return 10 log10(energy / reference); infinite where the reference alone is 0."""
-    with np.errstate(divide="ignore"):
-        return 10.0 * (np.log10(energy) - np.log10(reference))
 
 
 def checked_beta(beta: float) -> float:

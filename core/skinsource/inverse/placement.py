@@ -11,8 +11,8 @@ import numpy as np
 from skinsource.base.arguments import checking, integer
 from skinsource.base.conventions import Axes, Complexes, Floats, Indices
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.focusing import checked_beta, gram_of, loading
-from skinsource.inverse.responses import Responses, responses_of
+from skinsource.inverse.focusing import checked_beta
+from skinsource.inverse.responses import Responses, gram_of, loading, responses_of
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import PUBLISHED, Limb
 
@@ -192,4 +192,5 @@ def _scorer(responses: Responses, targets: Sequence[int], beta: float) -> Scores
 def _largest(matrices: Complexes) -> Floats:
     if matrices.shape[-1] == 1:
         return matrices[..., 0, 0].real
-    return np.linalg.eigvalsh(matrices)[..., -1]
+    largest: Floats = np.linalg.eigvalsh(matrices)[..., -1]
+    return largest
