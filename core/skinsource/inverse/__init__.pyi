@@ -7,3 +7,6 @@ from .focusing import quietest as quietest
 from .focusing import time_reversal as time_reversal
 from .placement import Placement as Placement
 from .placement import place as place
+from .reproducing import Reproduction as Reproduction
+from .reproducing import move as move
+from .reproducing import reproduce as reproduce

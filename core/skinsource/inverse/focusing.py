@@ -16,9 +16,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking, real_number
-from skinsource.base.conventions import Axes, Complexes, Floats, Integers
+from skinsource.base.conventions import Axes, Band, Complexes, Floats, Integers
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.responses import Responses, responses_of
+from skinsource.design.design import Design
+from skinsource.design.waveform import Waveform
+from skinsource.inverse.designing import DRIVEN_HZ, Spectrum, delay_of, designed
+from skinsource.inverse.responses import (
+    Responses,
+    gram_of,
+    loading,
+    power_db,
+    responses_of,
+)
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb, LimbFacts
 from skinsource.limbs.scaling import pulse_spectrum
@@ -107,6 +116,58 @@ class Focus:
         at_target = np.abs((self.row * self.used_drives).sum(axis=1))
         return power_db(at_target**2, np.square(np.abs(self.drives).max(axis=1) * pulse))
 
+    @property
+    def delay_s(self) -> float:
+        """Time at which a waveform begins on the skin, after its design has begun."""
+        return delay_of(self.limb)
+
+    @checking
+    def design(
+        self,
+        waveform: Waveform,
+        level: float | None = None,
+        spectrum: Spectrum = "as drawn",
+        peak: float | None = None,
+        band_hz: Band = DRIVEN_HZ,
+    ) -> Design:
+        """Return a design that plays a waveform at the target, `delay_s` later.
+
+        Its drives are probe acceleration, as an equaliser wants it; those of own limbs are in the
+        unit of their drive.
+
+        Parameters
+        ----------
+        waveform
+            What the target does, m/s².
+        level
+            RMS of the target over its loudest 100 ms, m/s²; None: as of the waveform.
+        spectrum
+            ``"as drawn"``, or ``"natural"``: times the energy of the responses, at most 1, so that
+            little is spent where the skin answers little.
+        peak
+            Most that a drive may reach, m/s²; the best drives within it are then found, and the
+            target may become less strong.  None: there is no limit.
+        band_hz
+            Nothing is driven outside.
+
+        Raises
+        ------
+        InvalidInputError
+            A level is asked of a waveform without anything in the band.
+
+        Examples
+        --------
+        >>> import skinsource as ss
+        >>> found = ss.inverse.focus("synthetic-1", 30)
+        >>> design = found.design(ss.waveforms.Tone(frequency_hz=100.0), level=0.1)
+        >>> levels_db = ss.evaluate(
+        ...     design, "output_levels_db", view=ss.View(axes="z", span="loudest")
+        ... )["output_levels_db"]
+        >>> print(f"{levels_db[29]:.1f} dB")
+        -20.0 dB
+        """
+        return designed(self, waveform, level, spectrum, peak, band_hz)
+
 
 @checking
 def focus(
@@ -159,7 +220,7 @@ def focus(
     responses = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
     wish = Wish.of(responses, [target], quiet)
     most_db = None if effort_db is None else _checked_effort(effort_db)
-    return wish.focused(_checked_beta(beta), most_db)
+    return wish.focused(checked_beta(beta), most_db)
 
 
 @checking
@@ -331,7 +392,7 @@ def paint(
     # Few strong outputs count as much as many quiet ones.
     roots = np.sqrt(of_strong * of_quiet.sum() / of_strong.sum())
     wish = replace(wish, weights=np.broadcast_to(of_quiet, wish.weights.shape))
-    betas = np.full(len(wish.row), _checked_beta(beta))
+    betas = np.full(len(wish.row), checked_beta(beta))
     rows = np.stack([target_row(responses, output) for output in wish.strong], axis=1)
     rows = roots[:, None] * rows
     inverse = wish.inverse(betas, gram_of(rows))
@@ -400,7 +461,8 @@ class Wish:
     def inverse(self, beta: Floats, kept: Complexes | float = 0.0) -> Complexes:
         """Return (R + λ)⁻¹, (n_bins, n_used, n_used), with another Gram matrix beside R."""
         load = (beta * loading(self.gram))[:, None, None] * np.eye(self.gram.shape[-1])
-        return np.linalg.inv(self.gram + kept + load)
+        inverse: Complexes = np.linalg.inv(self.gram + kept + load)
+        return inverse
 
     def focused(self, beta: float = 0.3, effort_db: float | None = None) -> Focus:
         """Return the focus of `loaded`."""
@@ -525,17 +587,6 @@ def _least_beta(values: Floats, shares: Floats, most: float) -> Floats:
     return np.exp(highest)
 
 
-def loading(gram: Complexes) -> Floats:
-    """Return λ at β = 1: tr(R) / n, (n_bins,); 1 where R is 0."""
-    mean = np.trace(gram, axis1=1, axis2=2).real / gram.shape[-1]
-    return np.where(mean > 0.0, mean, 1.0)
-
-
-def gram_of(rows: Complexes) -> Complexes:
-    """Return the sum of conj(G) G over rows, (n_bins, n_used, n_used), of (n_bins, n, n_used)."""
-    return rows.conj().swapaxes(1, 2) @ rows
-
-
 def target_row(responses: Responses, target: int) -> Complexes:
     """Return the responses of a target, (n_bins, n_used), along its strongest direction.
 
@@ -583,20 +634,10 @@ def effort_db(drives: Complexes, row: Complexes) -> Floats:
     return power_db(np.prod(list(energies), axis=0), np.ones(len(row)))
 
 
-def power_db(energy: Floats, reference: Floats) -> Floats:
-    """Return 10 log10(energy / reference); infinite where the reference alone is 0."""
-    with np.errstate(divide="ignore"):
-        return 10.0 * (np.log10(energy) - np.log10(reference))
-
-
-def _checked_beta(beta: float) -> float:
-    return real_number(
-        "beta",
-        beta,
-        f"a number from {LEAST_BETA:g} to {MOST_BETA:g}",
-        least=LEAST_BETA,
-        most=MOST_BETA,
-    )
+def checked_beta(beta: float) -> float:
+    """Return β as a number; refuse what is out of its limits."""
+    expected = f"a number from {LEAST_BETA:g} to {MOST_BETA:g}"
+    return real_number("beta", beta, expected, least=LEAST_BETA, most=MOST_BETA)
 
 
 def _checked_effort(value: float) -> float:

@@ -8,11 +8,11 @@ from itertools import combinations
 
 import numpy as np
 
-from skinsource.base.arguments import checking, integer, real_number
+from skinsource.base.arguments import checking, integer
 from skinsource.base.conventions import Axes, Complexes, Floats, Indices
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.focusing import LEAST_BETA, MOST_BETA, gram_of, loading
-from skinsource.inverse.responses import Responses, responses_of
+from skinsource.inverse.focusing import checked_beta
+from skinsource.inverse.responses import Responses, gram_of, loading, responses_of
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import PUBLISHED, Limb
 
@@ -88,7 +88,7 @@ def place(
     limbs = [limb_of(each) for each in ([limb] if isinstance(limb, Limb | str) else limb)]
     if not limbs or not len(targets):
         raise InvalidInputError("No limb or no target is named. Name one of each.")
-    beta = real_number("beta", beta, "a positive number", least=LEAST_BETA, most=MOST_BETA)
+    beta = checked_beta(beta)
     places = range(1, limbs[0].n_inputs + 1) if candidates is None else candidates
     count = integer("count", count, 1, len(places))
     each = [
@@ -192,4 +192,5 @@ def _scorer(responses: Responses, targets: Sequence[int], beta: float) -> Scores
 def _largest(matrices: Complexes) -> Floats:
     if matrices.shape[-1] == 1:
         return matrices[..., 0, 0].real
-    return np.linalg.eigvalsh(matrices)[..., -1]
+    largest: Floats = np.linalg.eigvalsh(matrices)[..., -1]
+    return largest
