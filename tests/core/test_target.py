@@ -10,7 +10,7 @@ from skinsource.design.edits.edit import Refusal
 from skinsource.design.edits.motions import motion_of, with_whole_motions
 from skinsource.design.target import Target, conditions_of, is_unsolved, target_in
 from skinsource.design.waveforms.pulses import Tap
-from skinsource.design.waveforms.samples import Drawn
+from skinsource.design.waveforms.samples import Recording
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
 
@@ -22,6 +22,7 @@ def a_drive(*values):
 
 
 DRIVES = a_drive(0.0, 1.0, -0.5), a_drive(0.5, 0.0, 0.25)
+PLAYED = [Recording(drive, "Target") for drive in DRIVES]
 
 
 def painted(design=PLAIN, outputs=(30,), brush="strong"):
@@ -65,7 +66,9 @@ def test_a_solved_target_is_tracks_that_play_its_drives():
     design = solved()
     tracks = design.inputs[1:]
     assert [each.location for each in tracks] == [7, 9]
-    assert [each.clips[0].waveform for each in tracks] == [Drawn(drive) for drive in DRIVES]
+    assert [each.clips[0].waveform for each in tracks] == [
+        Recording(drive, "Target") for drive in DRIVES
+    ]
     assert {motion_of(design, each.clips[0].id) for each in tracks} == {0}
     assert not is_unsolved(design)
 
@@ -104,7 +107,9 @@ def test_drives_are_wanted_anew_where_they_depend_on_what_changed(edit, more, un
 def test_fields_want_other_drives_unless_the_same_are_louder_or_later(changes, unsolved):
     after = changed(solved(), **changes)
     assert is_unsolved(after) == unsolved
-    assert [each.clips[0].waveform for each in after.inputs[1:]] == [Drawn(it) for it in DRIVES]
+    assert [each.clips[0].waveform for each in after.inputs[1:]] == [
+        Recording(it, "Target") for it in DRIVES
+    ]
     assert {each.clips[0].onset_s for each in after.inputs[1:]} == {changes.get("onset_s", 0.0)}
 
 

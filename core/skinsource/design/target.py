@@ -15,7 +15,7 @@ from skinsource.design.clips import PLACE
 from skinsource.design.design import AXES, OUTPUTS, Design, Input
 from skinsource.design.motions import LEVEL, MAX_PATH, START, WAVEFORM, ms_text, tracks_of
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.samples import SAMPLES, Drawn
+from skinsource.design.waveforms.samples import RECORDING_SAMPLES, Recording
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, NumberSpec
@@ -44,7 +44,7 @@ MOST = NumberSpec(
     unset="all",
 )
 PLACES = replace(INPUTS, label="Places", editable=False)
-DRIVES = ListSpec(label="Drives", of=SAMPLES, most=MAX_PATH, editable=False)
+DRIVES = ListSpec(label="Drives", of=RECORDING_SAMPLES, most=MAX_PATH, editable=False)
 NO_TARGET = "There is no target; paint a strong output on the skin map."
 LEVEL_THERE = replace(LEVEL, label="Level", unit="m/s²", hint="Peak at the strong outputs")
 SOLVED_FOR = TextSpec(label="Solved for", longest=400, one_line=True, editable=False)
@@ -112,8 +112,8 @@ class Target(fields.CheckedModel):
             )
         if len(self.places) != len(self.drives):
             raise InvalidInputError(
-                f"a target has {len(self.places)} places and {len(self.drives)} drives, expected as "
-                "many of both"
+                f"a target has {len(self.places)} places and {len(self.drives)} drives, expected "
+                "as many of both"
             )
 
     @property
@@ -131,7 +131,7 @@ class Target(fields.CheckedModel):
 
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each place that plays."""
-        waveforms = ({"waveform": Drawn(samples)} for samples in self.drives)
+        waveforms = ({"waveform": Recording(samples, self.title)} for samples in self.drives)
         return tracks_of(self, self.places, waveforms)
 
     def painted(self, outputs: tuple[int, ...], brush: str) -> Target:

@@ -1,7 +1,7 @@
 """The drives of a target of a design, what they do beside simpler ways, and on other people.
 
-Drives are filters with which the waveform of the target is convolved, so that strong outputs play
-it: `skinsource.inverse.focus` gives their spectra where the waveform has energy.
+They are found where the waveform of the target has energy, by `skinsource.inverse.focus` for one
+strong output, and by `skinsource.inverse.paint` for several.
 """
 
 from __future__ import annotations
@@ -18,11 +18,12 @@ from skinsource.base.conventions import (
     ALL_AXES,
     LARGEST_VELOCITY_M_PER_S,
     Axes,
+    Band,
     Complexes,
     Floats,
 )
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.design import Design
+from skinsource.design.design import Design, Input
 from skinsource.design.target import BETA, NO_TARGET, Target, conditions_of, target_in
 from skinsource.engine.shared import Shared
 from skinsource.inverse.focusing import Focus, energy_of, focus, paint
@@ -31,16 +32,12 @@ from skinsource.inverse.responses import Responses, n_fft_of, responses_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.limbs.scaling import Scaling, pulse_spectrum
+from skinsource.limbs.scaling import pulse_spectrum
 from skinsource.perception.validity import fastest_probe
 from skinsource.specs.samples import Samples
 
-#: Length of the filters, in samples; they delay the waveform by half of it.
-FILTER_TAPS = 256
 # Energy that counts, as a share of the strongest bin: -60 dB.
 _COUNTS = 1e-6
-# What the edges of the band are faded over, in bins.
-_EDGE_BINS = 3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -49,8 +46,10 @@ class Aim:
 
     Attributes
     ----------
-    target, limb, scaling
+    target, limb
         What was solved, and for which limb.
+    band_hz
+        Where it is driven.
     responses
         Spectra of the responses where the waveform has energy.
     power : (n_bins,)
@@ -61,7 +60,7 @@ class Aim:
 
     target: Target
     limb: Limb
-    scaling: Scaling
+    band_hz: Band
     responses: Responses
     power: Floats
     focus: Focus
@@ -71,45 +70,32 @@ class Aim:
         """Places that play."""
         return self.responses.inputs
 
-    @property
-    def drives(self) -> tuple[Samples, ...]:
-        """What each place plays for an amplitude of 1."""
-        rate_hz = self.limb.sample_rate_hz
-        played = self.played(self.focus.used_drives)
-        return tuple(Samples(values=row, sample_rate_hz=rate_hz) for row in played)
-
     def solved(self, design: Design) -> Target:
         """Return the target with its drives, found under the conditions of a design."""
+        tracks = self.tracks(self.focus.used_drives)
         return replace(
             self.target,
-            places=self.places,
-            drives=self.drives,
+            places=tuple(track.location for track in tracks),
+            drives=tuple(samples_of(track) for track in tracks),
             solved_for=conditions_of(design),
         )
 
-    def played(self, drives: Complexes) -> Floats:
-        """Return the samples of drives, (n_used, n_times), with which the waveform plays."""
-        rate_hz, n_fft = self.limb.sample_rate_hz, n_fft_of(self.limb.n_taps)
-        all_hz = np.arange(n_fft // 2 + 1) * rate_hz / n_fft
-        spectra = np.zeros((drives.shape[1], all_hz.size), complex)
-        edge = min(_EDGE_BINS, len(drives) // 2)
-        fade = np.ones(len(drives))
-        ramp = np.sin(0.5 * np.pi * np.arange(1, edge + 1) / (edge + 1)) ** 2
-        fade[:edge], fade[len(fade) - edge :] = ramp, ramp[::-1]
-        first = round(self.responses.frequencies_hz[0] * n_fft / rate_hz)
-        spectra[:, first : first + len(drives)] = (drives * fade[:, None]).T
-        if self.scaling == "probe" and not self.limb.per_unit_drive:
-            spectra *= pulse_spectrum(all_hz, rate_hz)
-        delay = round(self.limb.pre_trigger_delay_s * rate_hz) + FILTER_TAPS // 2
-        turns = np.exp(-2j * np.pi * delay / n_fft * np.arange(all_hz.size))
-        filters = scipy.fft.irfft(spectra * turns, n_fft)
-        filters = filters[:, :FILTER_TAPS] * scipy.signal.windows.tukey(FILTER_TAPS, 0.25)
-        waveform = self.target.waveform.samples(rate_hz)
-        return scipy.signal.fftconvolve(filters, waveform[None], axes=1)
+    def tracks(self, drives: Complexes) -> tuple[Input, ...]:
+        """Return the tracks with which the waveform plays through drives, (n_bins, n_used)."""
+        everywhere = np.zeros_like(self.focus.drives)
+        everywhere[:, np.array(self.places) - 1] = drives
+        playing = replace(self.focus, drives=everywhere)
+        return playing.design(self.target.waveform, band_hz=self.band_hz).inputs
+
+
+def samples_of(track: Input) -> Samples:
+    """Return what a track of an `Aim` plays."""
+    waveform: Any = track.clips[0].waveform
+    return waveform.samples
 
 
 @checking
-def aim(target: Target, limb: Limb, scaling: Scaling = "probe") -> Aim:
+def aim(target: Target, limb: Limb) -> Aim:
     """Return the drives of a target.
 
     Parameters
@@ -118,62 +104,66 @@ def aim(target: Target, limb: Limb, scaling: Scaling = "probe") -> Aim:
         With one strong output or more.
     limb
         For which it is solved.
-    scaling
-        That of the design.
 
     Raises
     ------
     InvalidInputError
-        Nothing is strong, a strong output is mostly noise, a place does not exist, the waveform
-        has no energy in the band, or the scaling has no common unit for all inputs.
+        Nothing is strong, a strong output is mostly noise, a place does not exist, or the waveform
+        has no energy in the band.
 
     Examples
     --------
     >>> import skinsource as ss
     >>> from skinsource.design.target import Target
     >>> aimed = aim(Target(strong=(30,)), ss.load_limb("synthetic-1"))
-    >>> len(aimed.drives)
+    >>> len(aimed.places)
     15
     """
-    if scaling == "upstream":
-        raise InvalidInputError(
-            "Under upstream's scaling each input has a unit of its own. Choose the scaling Probe "
-            "acceleration."
-        )
     if not target.strong:
         raise InvalidInputError("No output is strong. Choose one on the skin map.")
-    at_hz, power = _band_of(target, limb)
+    band_hz, at_hz, power = _band_of(target, limb)
     solved = _solved(target, limb, at_hz)
     responses = responses_of(
         limb, axes=_axes(target, limb), inputs=solved.inputs, frequencies_hz=at_hz
     )
     return Aim(
-        target=target, limb=limb, scaling=scaling, responses=responses, power=power, focus=solved
+        target=target,
+        limb=limb,
+        band_hz=band_hz,
+        responses=responses,
+        power=power,
+        focus=solved,
     )
 
 
 def aim_of(design: Design) -> Aim:
-    """Return the drives of the target of a design on its limb; errors are those of `aim`."""
+    """Return the drives of the target of a design on its limb.
+
+    Raises
+    ------
+    InvalidInputError
+        As of `aim`, or the drives of the design are no accelerations.
+    """
     found = target_in(design)
     if found is None:
         raise InvalidInputError(NO_TARGET)
     facts = facts_of(design.limb)
     limb = Shared().limb_data(design.limb, design.limb_digest or facts.digest, facts.mirrored)
     actuated = design.actuated
-    if actuated is not None and actuated.equaliser is None:
+    if design.scaling != "probe" or (actuated is not None and actuated.equaliser is None):
         raise InvalidInputError(
-            "The drives of a target are accelerations, and the actuators get volts. Choose an "
-            "equaliser under Output."
+            "The drives of a target are accelerations. Choose the scaling Probe acceleration, and "
+            "under Output an equaliser for actuators."
         )
-    return aim(found[1], limb, design.scaling)
+    return aim(found[1], limb)
 
 
 def _axes(target: Target, limb: Limb) -> Axes:
     return target.axes if set(target.axes) <= set(limb.axes) else ALL_AXES
 
 
-def _band_of(target: Target, limb: Limb) -> tuple[Floats, Floats]:
-    """Return the bins in which the waveform has energy, and the share of each."""
+def _band_of(target: Target, limb: Limb) -> tuple[Band, Floats, Floats]:
+    """Return where a waveform is driven, the bins with energy there, and the share of each."""
     n_fft = n_fft_of(limb.n_taps)
     known = responses_of(limb, inputs=(1,)).frequencies_hz
     samples = np.pad(target.waveform.samples(limb.sample_rate_hz), n_fft)
@@ -189,7 +179,8 @@ def _band_of(target: Target, limb: Limb) -> tuple[Floats, Floats]:
             "answers. Choose other frequencies."
         )
     inside = slice(counts[0], counts[-1] + 1)
-    return known[inside], power[inside] / power[inside].sum()
+    band_hz = float(known[0]), float(known[-1])
+    return band_hz, known[inside], power[inside] / power[inside].sum()
 
 
 def _solved(target: Target, limb: Limb, at_hz: Floats) -> Focus:
@@ -314,9 +305,9 @@ def _way(
         pulse = pulse_spectrum(aim.responses.frequencies_hz, limb.sample_rate_hz)
         bright = _bright(aim, drives)
         contact_db = float(10.0 * np.log10((aim.power * pulse**2 @ each).max() / bright))
-        probe = replace(aim, scaling="probe").played(drives)
-        rate_hz, band_hz = limb.sample_rate_hz, limb.band_hz
-        velocity = aim.target.amplitude * fastest_probe(probe, rate_hz, band_hz)
+        probes = (samples_of(track).values for track in aim.tracks(drives))
+        fastest = fastest_probe(probes, limb.sample_rate_hz, limb.band_hz)
+        velocity = aim.target.amplitude * fastest
     return Way(
         title=title,
         loudest_db=float(levels_db[loudest - 1]),
