@@ -558,16 +558,15 @@ def loaded(
             "the target does not respond at some frequency. Choose other inputs or frequencies."
         )
     # Of a row of length 1, no square leaves the range of floats.
-    row = row / size
-    values, vectors = np.linalg.eigh(gram)
-    values, unit = np.maximum(values, 0.0), loading(gram)
-    within = np.einsum("fji,fj->fi", vectors.conj(), row.conj())
-    shares = np.square(np.abs(within))
-
-    betas = np.full(len(row), beta)
+    row, unit, betas = row / size, loading(gram), np.full(len(row), beta)
     if effort_db is not None:
+        values, vectors = np.linalg.eigh(gram)
+        values = np.maximum(values, 0.0)
+        shares = np.square(np.abs(np.einsum("fji,fj->fi", vectors.conj(), row.conj())))
         betas = _least_beta(values / unit[:, None], shares, 10.0 ** (effort_db / 10.0))
-    x = np.einsum("fij,fj->fi", vectors, within / (values + (betas * unit)[:, None]))
+    # A tenth of the time that eigenvalues take.
+    loaded_gram = gram + (betas * unit)[:, None, None] * np.eye(gram.shape[-1])
+    x = np.linalg.solve(loaded_gram, row.conj()[..., None])[..., 0]
     return x / ((row * x).sum(axis=1, keepdims=True) * size), betas
 
 
