@@ -18,12 +18,35 @@ from skinsource.design.panel_settings import (
     with_settings,
 )
 from skinsource.design.target import Target, conditions_of, is_unsolved, target_in
-from skinsource.inverse.aiming import OnLimb, Way, aim_of, on_limb, sentences, ways
+from skinsource.inverse.aiming import Aim, Way, aim_of, on_limb, sentences, ways
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.limbs.surface.surface import cached_surface_operator
+from skinsource_gui.plots.small_map import SmallMap, field_image
 from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.services import Services
 from skinsource_gui.state.worker import Worker, fault_text
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Person:
+    """What the drives of a target do on another limb.
+
+    Attributes
+    ----------
+    title
+        Of the limb.
+    contrast_db
+        Level at the strong outputs over the loudest other one.
+    shown
+        Levels in dB re the strong outputs on the limb of the design.
+    """
+
+    title: str
+    contrast_db: float
+    shown: SmallMap
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -45,7 +68,7 @@ class Found:
     design: Design
     ways: tuple[Way, ...] = ()
     said: tuple[str, ...] = ()
-    people: tuple[OnLimb, ...] = ()
+    people: tuple[Person, ...] = ()
 
 
 class Aiming(QObject):
@@ -62,8 +85,8 @@ class Aiming(QObject):
         self._document, self._limbs, self._bring = services.document, services.limbs, bring
         self._worker = Worker("skinsource-aiming", self)
         self._panel: Panel | None = None
-        # Limbs of other people, as long as they are compared.
-        self._others: dict[str, Limb] = {}
+        # Limbs of other people, as long as they are compared, and their surfaces.
+        self._others: dict[str, tuple[Limb, SurfaceOperator]] = {}
         # The target that was judged last, and what it depends on.
         self._judged: object = None
         self._document.changed.connect(self._follow)
@@ -134,15 +157,27 @@ class Aiming(QObject):
         self._give_way()
         beside = ways(aimed)
         kind = design.limb.rpartition("-")[0]
-        known = [name for name in names if name.startswith(kind) and name != design.limb]
-        self._others = {name: self._others.get(name) or load_limb(name) for name in known if kind}
-        people = []
-        for limb in self._others.values():
-            self._give_way()
-            people.append(on_limb(aimed, limb))
-        return Found(
-            design=design, ways=beside, said=sentences(aimed, beside), people=tuple(people)
+        known = [name for name in names if name.startswith(f"{kind}-") and name != design.limb]
+        people = tuple(self._person(aimed, name) for name in known if kind)
+        return Found(design=design, ways=beside, said=sentences(aimed, beside), people=people)
+
+    def _person(self, aimed: Aim, name: str) -> Person:
+        self._give_way()
+        if name not in self._others:
+            limb = load_limb(name)
+            stop = partial(self._worker.is_outdated, "solve")
+            self._others[name] = limb, cached_surface_operator(limb, stop=stop)
+        limb, surface = self._others[name]
+        there = on_limb(aimed, limb)
+        shown = SmallMap(
+            limb_map=limb.map,
+            levels_db=there.levels_db,
+            field=field_image(surface, limb),
+            field_levels_db=surface.interpolate(there.levels_db),
+            hand_only=True,
         )
+        title = facts_of(name).title.partition(" (")[0]
+        return Person(title=title, contrast_db=there.contrast_db, shown=shown)
 
     def _give_way(self) -> None:
         if self._worker.is_outdated("solve"):

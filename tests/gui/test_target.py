@@ -11,7 +11,9 @@ from skinsource import Design, View, edits, track
 from skinsource.design.panel_settings import TARGET, TargetSettings, brush_of, with_settings
 from skinsource.design.target import is_unsolved, target_in
 from skinsource.design.waveforms import Tap, Tone
+from skinsource.inverse.aiming import aim_of
 from skinsource_gui.panels.target.panel import level_text
+from tests.gui.timeline.bench import LanesBench
 
 START = Design(limb="synthetic-1", inputs=(track(7, Tone()),))
 
@@ -121,9 +123,9 @@ def test_the_table_says_what_three_ways_do(at_target):
     assert panel.ways.isHidden()
     stroke(window, 30)
     ways = [panel.ways.item(row, 0).text() for row in range(3)]
-    assert ways == ["Best single input", "Time reversal", "Target"]
+    assert ways == ["Best input", "Time reversal", "Target"]
     assert panel.ways.item(2, 1).text().endswith("II middle rad.")
-    assert panel.ways.item(2, 6).text().endswith("of 40 mm/s")
+    assert panel.ways.item(2, 6).text().endswith("of 40")
     assert "One actuator does as well." in panel.said.text()
 
 
@@ -186,7 +188,7 @@ def test_what_cannot_be_solved_plays_nothing_and_says_why(at_target):
 
 @pytest.mark.parametrize(
     ("level_db", "text"),
-    [(-3.21, "−3.2 dB"), (4.0, "+4.0 dB"), (-20.1, "below −20 dB in the model")],
+    [(-3.21, "−3.2 dB"), (4.0, "+4.0 dB"), (-20.1, "< −20 dB")],
 )
 def test_levels_are_not_deeper_than_the_model_is_exact(level_db, text):
     assert level_text(level_db) == text
@@ -195,5 +197,15 @@ def test_levels_are_not_deeper_than_the_model_is_exact(level_db, text):
 def test_other_people_are_beside_it(at_target, preferences):
     window = at_target()
     stroke(window, 30)
-    others = [each.limb.name for each in window.panel(TARGET).people.people]
-    assert others == ["synthetic-2", "synthetic-3", "synthetic-4"]
+    others = [each.title for each in window.panel(TARGET).people.people]
+    assert others == ["Synthetic 2", "Synthetic 3", "Synthetic 4"]
+
+
+def test_its_clips_lead_back_to_it(qtbot):
+    design = edits.paint_target(Design(limb="synthetic-1"), View(), [30]).design
+    design = edits.solve_target(design, View(), aim_of(design).solved(design)).design
+    bench = LanesBench(qtbot, design)
+    requested = []
+    bench.panel.action_requested.connect(requested.append)
+    bench.menu_at(bench.middle(design.motions[0].clips[0]))["Edit target"].trigger()
+    assert requested == ["aim"]

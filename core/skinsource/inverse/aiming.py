@@ -254,7 +254,7 @@ def ways(aim: Aim) -> tuple[Way, Way, Way]:
     least = aim.power @ np.square(np.abs(_equal(aim, in_time.used_drives))).sum(axis=1)
     bright = aim.power @ 10.0 ** (-aim.focus.unseen_contrast_db / 10.0)
     return (
-        _way(aim, "Best single input", _best_single(aim), least),
+        _way(aim, "Best input", _best_single(aim), least),
         _way(aim, "Time reversal", in_time.used_drives, least),
         _way(aim, aim.target.title, aim.focus.used_drives, least, 10.0 * np.log10(bright)),
     )
@@ -366,9 +366,11 @@ def sentences(aim: Aim, found: tuple[Way, Way, Way]) -> tuple[str, ...]:
         most = aim.target.amplitude * LARGEST_VELOCITY_M_PER_S / own.velocity_m_per_s
         limit = f"{1e3 * LARGEST_VELOCITY_M_PER_S:g} mm/s"
         said.append(f"Not reachable within {limit}: {most:.2g} m/s² at most.")
-    if own.loudest_db > 0.0:
+    if own.loudest_db > 0.0 and not aim.target.quiet:
         name = output_name(own.loudest, aim.limb.name).name
         said.append(f"Not reachable: {name} is {own.loudest_db:.1f} dB louder at best.")
     if single.between_db - own.between_db < LEAST_GAIN_DB:
         said.append("One actuator does as well.")
+    if own.quiet_db < DEEPEST_DB:
+        said.append(f"What is quiet is below {DEEPEST_DB:g} dB in the model.")
     return tuple(said)

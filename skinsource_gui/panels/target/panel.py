@@ -22,7 +22,7 @@ from skinsource.design.panel_settings import (
     with_settings,
 )
 from skinsource.design.target import BETA, Target, target_in
-from skinsource.inverse.aiming import DEEPEST_DB, OnLimb, Way
+from skinsource.inverse.aiming import DEEPEST_DB, Way
 from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.numbers import ModelSpec
@@ -33,7 +33,6 @@ from skinsource_gui.fields.parts import PartFields
 from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.small_map import (
     LEAST_MAP_PX,
-    SmallMap,
     map_grid,
     paint_rings,
     paint_small_map,
@@ -43,7 +42,7 @@ from skinsource_gui.qt.labels import set_table_look
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.resources import columns_of
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
-from skinsource_gui.state.aiming import Found
+from skinsource_gui.state.aiming import Found, Person
 from skinsource_gui.state.panel import Panel
 
 _LIMIT_MM_S = 1e3 * LARGEST_VELOCITY_M_PER_S
@@ -58,13 +57,13 @@ def level_text(level_db: float) -> str:
     """Return a level re the strong outputs.
 
     >>> level_text(-31.0)
-    'below −20 dB in the model'
+    '< −20 dB'
     """
     if isnan(level_db):
         return "not known"
     if level_db < DEEPEST_DB:
-        return minus(f"below {DEEPEST_DB:g} dB in the model")
-    return minus(f"{level_db:+.1f} dB")
+        return minus(f"< {DEEPEST_DB:g} dB")
+    return minus(f"{level_db:+z.1f} dB")
 
 
 def row_of(way: Way, limb: str) -> tuple[str, ...]:
@@ -78,7 +77,7 @@ def row_of(way: Way, limb: str) -> tuple[str, ...]:
         level_text(way.between_db),
         level_text(way.contact_db),
         f"{way.effort_db:.1f} dB",
-        "not known" if isnan(speed) else f"{1e3 * speed:.2g} of {_LIMIT_MM_S:g} mm/s",
+        "not known" if isnan(speed) else f"{1e3 * speed:.2g} of {_LIMIT_MM_S:g}",
     )
 
 
@@ -91,6 +90,11 @@ class WaysTable(QtWidgets.QTableWidget):
         set_table_look(self)
         self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.NoSelection)
+        policy = QtWidgets.QSizePolicy.Policy
+        self.setSizePolicy(policy.Expanding, policy.Fixed)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         for column, (title, meaning) in enumerate(COLUMNS.items()):
             head = QtWidgets.QTableWidgetItem(title)
             head.setToolTip(meaning)
@@ -112,6 +116,9 @@ class WaysTable(QtWidgets.QTableWidget):
         height = self.horizontalHeader().sizeHint().height() + rows + 2 * self.frameWidth()
         return QSize(super().sizeHint().width(), height)
 
+    def minimumSizeHint(self) -> QSize:
+        return QSize(super().minimumSizeHint().width(), self.sizeHint().height())
+
 
 class PeopleMaps(QtWidgets.QWidget):
     """A small map for each other limb, in one scale: what the drives of a target do there."""
@@ -119,14 +126,14 @@ class PeopleMaps(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         named(self, "target_people", "Same drives, other limbs")
-        self.people: tuple[OnLimb, ...] = ()
+        self.people: tuple[Person, ...] = ()
         self._strong: tuple[int, ...] = ()
         self.setMinimumSize(round(2.0 * LEAST_MAP_PX), round(LEAST_MAP_PX))
 
-    def show_people(self, people: tuple[OnLimb, ...], strong: tuple[int, ...]) -> None:
+    def show_people(self, people: tuple[Person, ...], strong: tuple[int, ...]) -> None:
         """Show what drives do on limbs, and rings at the strong outputs."""
         self.people, self._strong = people, strong
-        texts = [f"{facts_of(each.limb.name).title}: {_contrast(each)}" for each in people]
+        texts = [f"{each.title}: {_contrast(each)}" for each in people]
         self.setAccessibleDescription("; ".join(texts))
         self.setToolTip("\n".join(texts))
         self.update()
@@ -139,20 +146,19 @@ class PeopleMaps(QtWidgets.QWidget):
         line = painter.fontMetrics().height()
         cells = map_grid(QRectF(self.rect()), len(self.people), 2.0 * line)
         for cell, each in zip(cells, self.people, strict=True):
-            shown = SmallMap(limb_map=each.limb.map, levels_db=each.levels_db, hand_only=True)
             area = cell.adjusted(4.0, 2.0 * line, -4.0, -2.0)
-            paint_small_map(painter, area, shown, None, theme, _RANGE_DB)
-            paint_rings(painter, shown, area, self._strong, theme)
+            paint_small_map(painter, area, each.shown, None, theme, _RANGE_DB)
+            paint_rings(painter, each.shown, area, self._strong, theme)
             painter.setPen(QtGui.QColor(theme.text))
             head = QRectF(cell.left(), cell.top(), cell.width(), 2.0 * line)
-            text = f"{facts_of(each.limb.name).title.partition(' (')[0]}\n{_contrast(each)}"
+            text = f"{each.title}\n{_contrast(each)}"
             painter.drawText(head, Qt.AlignmentFlag.AlignCenter, text)
         painter.end()
 
 
-def _contrast(on_limb: OnLimb) -> str:
+def _contrast(person: Person) -> str:
     """Return by how much the strong outputs are louder than the loudest other one."""
-    return minus(f"{on_limb.contrast_db:+.1f} dB")
+    return minus(f"{person.contrast_db:+z.1f} dB")
 
 
 class TargetPanel(Panel):
@@ -236,7 +242,8 @@ class TargetPanel(Panel):
         """Show what is known of the target; None: there is none."""
         shown = found or Found(design=self._design, said=(_EMPTY,))
         self.ways.show_ways(shown.ways, shown.design.limb)
-        self.said.setText(" ".join(shown.said))
+        level = f"Each way gives {self._target.amplitude:.3g} m/s² at the strong outputs."
+        self.said.setText(" ".join((*shown.said, *([level] if shown.ways else []))))
         set_tone(self.said, "warning" if found else "dim")
         self.people.show_people(shown.people, self._target.strong)
         for part in (self.ways, self.people):
@@ -272,6 +279,7 @@ class TargetPanel(Panel):
         inside = QtWidgets.QWidget()
         in_column(self.grid, None, of=inside, margins=(0, 0, UNIT_PX, 0))
         left = in_column(brushes, slider, (scrolled(inside, "target_fields"), 1))
-        middle = in_column(self.ways, self.said, self.about, None)
+        words = in_column(self.said, self.about, None)
+        right = in_column(self.ways, (in_row((words, 1), (self.people, 1)), 1))
         edges = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
-        in_row((left, 3), (middle, 5), (self.people, 2), of=self, margins=edges, gap_px=UNIT_PX)
+        in_row((left, 3), (right, 6), of=self, margins=edges, gap_px=UNIT_PX)

@@ -122,6 +122,11 @@ def a_way(**changes):
         ({"between_db": -8.5}, {}, []),
         (
             {"between_db": -8.5},
+            {"quiet_db": -28.0},
+            ["What is quiet is below -20 dB in the model."],
+        ),
+        (
+            {"between_db": -8.5},
             {"velocity_m_per_s": 0.08},
             ["Not reachable within 40 mm/s: 0.5 m/s² at most."],
         ),
