@@ -503,18 +503,18 @@ class Wish:
 
     def _unseen_contrast_db(self, drives: Complexes, inverse: Complexes) -> Floats:
         """Return the contrast at quiet outputs, each left out of the design with the same λ."""
-        # Each matrix product is of all rows at a frequency: many small ones take far longer.
+        # Matrices of all rows at a frequency: threads make many small products far longer.
         n_bins, _, n_axes, n_used = self.responses.values.shape
         rows, of_strong = (self.responses.rows(which) for which in (self.quiet, self.strong))
         by_place = (n_bins, len(self.quiet), n_axes)
         passed = (rows @ inverse).reshape(*by_place, n_used)
-        seen = (rows @ drives[..., None]).reshape(*by_place, 1)
+        seen = np.einsum("fri,fi->fr", rows, drives).reshape(*by_place, 1)
         rows = rows.reshape(*by_place, n_used)
         weights = self.weights[:, :, None, None]
         hidden = weights * np.einsum("foai,fobi->foab", passed, rows.conj())
         unseen = np.linalg.solve(np.eye(n_axes) - hidden, seen)
         back = np.einsum("foai,foac->foi", passed.conj(), weights * unseen)
-        at_strong = of_strong @ (drives[:, None] + back).swapaxes(1, 2)
+        at_strong = np.einsum("fri,foi->fro", of_strong, drives[:, None] + back)
         bright = np.square(np.abs(at_strong)).sum(axis=1) / len(self.strong)
         ratio = np.square(np.abs(unseen)).sum(axis=(2, 3)) / bright
         return -power_db(ratio.mean(axis=1), np.ones(len(ratio)))
@@ -626,9 +626,8 @@ def quiet_of(
 
 def energy_of(responses: Responses, drives: Complexes) -> Floats:
     """Return the energy at all outputs over their axes, (n_bins, n_outputs)."""
-    n_bins, n_outputs, n_axes, n_used = responses.values.shape
-    field = responses.values.reshape(n_bins, -1, n_used) @ drives[..., None]
-    return np.square(np.abs(field)).reshape(n_bins, n_outputs, n_axes).sum(axis=2)
+    field = np.einsum("foai,fi->foa", responses.values, drives)
+    return np.square(np.abs(field)).sum(axis=2)
 
 
 def effort_db(drives: Complexes, row: Complexes) -> Floats:
