@@ -12,6 +12,7 @@ from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import TooInaccurateError
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.samples import Recording
+from skinsource.inverse.responses import inverse_of
 from skinsource.limbs.limb import LimbFacts
 from skinsource.specs.samples import Samples
 
@@ -49,8 +50,7 @@ class Cost:
 
     def fast(self, wanted: Complexes) -> Floats:
         """Return the least bin by bin, cut, (n_used, n_times), for b, (n_bins, n_used)."""
-        least: Complexes = np.linalg.solve(self.normal, wanted[..., None])[..., 0]
-        return self.cut(least)
+        return self.cut((inverse_of(self.normal) @ wanted[..., None])[..., 0])
 
     def exact(self, wanted: Complexes) -> Floats:
         """Return the least of drives of this length, by conjugate gradients.
@@ -60,8 +60,8 @@ class Cost:
         TooInaccurateError
             It is not reached.
         """
-        inverse: Complexes = np.linalg.inv(self.normal)
-        b, drives = self.cut(wanted), self.fast(wanted)
+        inverse, b = inverse_of(self.normal), self.cut(wanted)
+        drives = self.cut((inverse @ wanted[..., None])[..., 0])
         residual = b - self.applied(drives)
         end = _RESIDUAL * np.linalg.norm(b)
         direction: Floats = np.zeros_like(b)

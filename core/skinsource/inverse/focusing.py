@@ -24,6 +24,7 @@ from skinsource.inverse.designing import DRIVEN_HZ, Spectrum, delay_of, designed
 from skinsource.inverse.responses import (
     Responses,
     gram_of,
+    inverse_of,
     loading,
     power_db,
     responses_of,
@@ -301,13 +302,12 @@ def best_single(
     >>> ss.inverse.best_single("synthetic-1", 30, frequencies_hz=[100.0]).inputs
     (12,)
     """
-    limb = limb_of(limb)
-    every = responses_of(limb, axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
+    every = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
     wish = Wish.of(every, [target], quiet)
     energy = np.square(np.abs(every.values)).sum(axis=(0, 2))
     contrast_db = power_db(energy[wish.strong[0] - 1], energy[np.array(wish.quiet) - 1].sum(axis=0))
     place = every.inputs[int(np.nanargmax(contrast_db))]
-    alone = responses_of(limb, axes=axes, inputs=(place,), frequencies_hz=frequencies_hz)
+    alone = replace(every, inputs=(place,), values=every.values[..., [every.inputs.index(place)]])
     return replace(wish, responses=alone).reversed_in_time()
 
 
@@ -461,8 +461,7 @@ class Wish:
     def inverse(self, beta: Floats, kept: Complexes | float = 0.0) -> Complexes:
         """Return (R + λ)⁻¹, (n_bins, n_used, n_used), with another Gram matrix beside R."""
         load = (beta * loading(self.gram))[:, None, None] * np.eye(self.gram.shape[-1])
-        inverse: Complexes = np.linalg.inv(self.gram + kept + load)
-        return inverse
+        return inverse_of(self.gram + kept + load)
 
     def focused(self, beta: float = 0.3, effort_db: float | None = None) -> Focus:
         """Return the focus of `loaded`."""
@@ -504,16 +503,19 @@ class Wish:
 
     def _unseen_contrast_db(self, drives: Complexes, inverse: Complexes) -> Floats:
         """Return the contrast at quiet outputs, each left out of the design with the same λ."""
-        values, weights = self.responses.values, self.weights[:, :, None, None]
-        rows, of_strong = (values[:, np.array(which) - 1] for which in (self.quiet, self.strong))
-        passed = rows @ inverse[:, None]
-        hidden = weights * (passed @ rows.conj().swapaxes(2, 3))
-        seen = np.einsum("foai,fi->foa", rows, drives, optimize=True)
-        unseen = np.linalg.solve(np.eye(hidden.shape[-1]) - hidden, seen[..., None])
-        back = passed.conj().swapaxes(2, 3) @ (weights * unseen)
-        changed = drives[:, None] + back[..., 0]
-        at_strong = np.einsum("fsai,foi->fosa", of_strong, changed, optimize=True)
-        bright = np.square(np.abs(at_strong)).sum(axis=3).mean(axis=2)
+        # Matrices of all rows at a frequency: threads make many small products far longer.
+        n_bins, _, n_axes, n_used = self.responses.values.shape
+        rows, of_strong = (self.responses.rows(which) for which in (self.quiet, self.strong))
+        by_place = (n_bins, len(self.quiet), n_axes)
+        passed = (rows @ inverse).reshape(*by_place, n_used)
+        seen = np.einsum("fri,fi->fr", rows, drives).reshape(*by_place, 1)
+        rows = rows.reshape(*by_place, n_used)
+        weights = self.weights[:, :, None, None]
+        hidden = weights * np.einsum("foai,fobi->foab", passed, rows.conj())
+        unseen = np.linalg.solve(np.eye(n_axes) - hidden, seen)
+        back = np.einsum("foai,foac->foi", passed.conj(), weights * unseen)
+        at_strong = np.einsum("fri,foi->fro", of_strong, drives[:, None] + back)
+        bright = np.square(np.abs(at_strong)).sum(axis=1) / len(self.strong)
         ratio = np.square(np.abs(unseen)).sum(axis=(2, 3)) / bright
         return -power_db(ratio.mean(axis=1), np.ones(len(ratio)))
 
@@ -623,7 +625,7 @@ def quiet_of(
 
 def energy_of(responses: Responses, drives: Complexes) -> Floats:
     """Return the energy at all outputs over their axes, (n_bins, n_outputs)."""
-    field = np.einsum("foai,fi->foa", responses.values, drives, optimize=True)
+    field = np.einsum("foai,fi->foa", responses.values, drives)
     return np.square(np.abs(field)).sum(axis=2)
 
 

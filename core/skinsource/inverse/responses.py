@@ -107,7 +107,7 @@ class Responses:
 
 def bins_of(n_fft: int, sample_rate_hz: float) -> Floats:
     """Return the frequencies of the bins of a transform, (n_fft // 2 + 1,)."""
-    return np.arange(n_fft // 2 + 1) * (sample_rate_hz / n_fft)
+    return np.arange(n_fft // 2 + 1, dtype=np.float64) * (sample_rate_hz / n_fft)
 
 
 def n_fft_of(n_taps: int) -> int:
@@ -163,7 +163,7 @@ def responses_of(
     return known[key]
 
 
-_MOST = 4
+_MOST = 8
 _Key = tuple[tuple[int, ...], tuple[int, ...], bytes]
 _RESPONSES: WeakKeyDictionary[Limb, dict[_Key, Responses]] = WeakKeyDictionary()
 
@@ -222,3 +222,8 @@ def power_db(energy: Floats, reference: Floats) -> Floats:
     """Return 10 log10(energy / reference); infinite where the reference alone is 0."""
     with np.errstate(divide="ignore"):
         return 10.0 * (np.log10(energy) - np.log10(reference))
+
+
+def inverse_of(matrices: Complexes) -> Complexes:
+    """Return the inverses of matrices, (..., n, n)."""
+    return np.linalg.inv(matrices).astype(np.complex128, copy=False)
