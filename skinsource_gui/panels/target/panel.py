@@ -106,9 +106,8 @@ class WaysTable(QtWidgets.QTableWidget):
         for row, way in enumerate(ways):
             for column, text in enumerate(row_of(way, limb)):
                 self.setItem(row, column, QtWidgets.QTableWidgetItem(text))
-            fast = way.velocity_m_per_s > LARGEST_VELOCITY_M_PER_S
-            theme = current_theme()
-            self.item(row, 6).setForeground(QtGui.QColor(theme.error if fast else theme.text))
+            if way.velocity_m_per_s > LARGEST_VELOCITY_M_PER_S:
+                self.item(row, 6).setForeground(QtGui.QColor(current_theme().error))
             self.item(row, 1).setToolTip(output_name(way.loudest, limb).name)
 
     def sizeHint(self) -> QSize:
@@ -243,7 +242,7 @@ class TargetPanel(Panel):
         shown = found or Found(design=self._design, said=(_EMPTY,))
         self.ways.show_ways(shown.ways, shown.design.limb)
         level = f"Each way gives {self._target.amplitude:.3g} m/s² at the strong outputs."
-        self.said.setText(" ".join((*shown.said, *([level] if shown.ways else []))))
+        self.said.setText(minus(" ".join((*shown.said, *([level] if shown.ways else [])))))
         set_tone(self.said, "warning" if found else "dim")
         self.people.show_people(shown.people, self._target.strong)
         for part in (self.ways, self.people):
