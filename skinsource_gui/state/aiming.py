@@ -71,6 +71,14 @@ class Found:
     people: tuple[Person, ...] = ()
 
 
+class FoundPanel(Panel):
+    """A panel that shows what is found of the target."""
+
+    def show_found(self, found: Found | None) -> None:
+        """Show what is known of the target; None: there is none."""
+        raise NotImplementedError
+
+
 class Aiming(QObject):
     """Solves the target of the open design whenever it, or what it depends on, has changed.
 
@@ -110,7 +118,7 @@ class Aiming(QObject):
         self._worker.close()
 
     def _meet(self, panel: Panel) -> None:
-        if panel.name == TARGET:
+        if isinstance(panel, FoundPanel):
             self._panel = panel
             self.found.connect(panel.show_found)
             panel.visibility_changed.connect(self._follow)

@@ -7,7 +7,7 @@ strong output, and by `skinsource.inverse.paint` for several.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import nan
+from math import log10, nan
 from typing import Any
 
 import numpy as np
@@ -252,11 +252,11 @@ def ways(aim: Aim) -> tuple[Way, Way, Way]:
     reversed_target = replace(aim.target, beta=BETA.maximum)
     in_time = _solved(reversed_target, aim.limb, aim.responses.frequencies_hz)
     least = aim.power @ np.square(np.abs(_equal(aim, in_time.used_drives))).sum(axis=1)
-    bright = aim.power @ 10.0 ** (-aim.focus.unseen_contrast_db / 10.0)
+    between = float(aim.power @ 10.0 ** (-aim.focus.unseen_contrast_db / 10.0))
     return (
         _way(aim, "Best input", _best_single(aim), least),
         _way(aim, "Time reversal", in_time.used_drives, least),
-        _way(aim, aim.target.title, aim.focus.used_drives, least, 10.0 * np.log10(bright)),
+        _way(aim, aim.target.title, aim.focus.used_drives, least, 10.0 * log10(between)),
     )
 
 

@@ -42,8 +42,7 @@ from skinsource_gui.qt.labels import set_table_look
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.resources import columns_of
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
-from skinsource_gui.state.aiming import Found, Person
-from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.aiming import Found, FoundPanel, Person
 
 _LIMIT_MM_S = 1e3 * LARGEST_VELOCITY_M_PER_S
 COLUMNS = columns_of("target", limit_mm_s=_LIMIT_MM_S)
@@ -104,11 +103,12 @@ class WaysTable(QtWidgets.QTableWidget):
         """Show what ways do on a limb."""
         self.setRowCount(len(ways))
         for row, way in enumerate(ways):
-            for column, text in enumerate(row_of(way, limb)):
-                self.setItem(row, column, QtWidgets.QTableWidgetItem(text))
+            items = [QtWidgets.QTableWidgetItem(text) for text in row_of(way, limb)]
+            for column, item in enumerate(items):
+                self.setItem(row, column, item)
+            items[1].setToolTip(output_name(way.loudest, limb).name)
             if way.velocity_m_per_s > LARGEST_VELOCITY_M_PER_S:
-                self.item(row, 6).setForeground(QtGui.QColor(current_theme().error))
-            self.item(row, 1).setToolTip(output_name(way.loudest, limb).name)
+                items[-1].setForeground(QtGui.QColor(current_theme().error))
 
     def sizeHint(self) -> QSize:
         rows = 3 * self.verticalHeader().defaultSectionSize()
@@ -160,7 +160,7 @@ def _contrast(person: Person) -> str:
     return minus(f"{person.contrast_db:+z.1f} dB")
 
 
-class TargetPanel(Panel):
+class TargetPanel(FoundPanel):
     """What is to be strong and quiet, what plays there, and how near the drives come to it.
 
     Attributes
@@ -238,7 +238,6 @@ class TargetPanel(Panel):
         self.use_clip.setEnabled(self._clip() is not None)
 
     def show_found(self, found: Found | None) -> None:
-        """Show what is known of the target; None: there is none."""
         shown = found or Found(design=self._design, said=(_EMPTY,))
         self.ways.show_ways(shown.ways, shown.design.limb)
         level = f"Each way gives {self._target.amplitude:.3g} m/s² at the strong outputs."
