@@ -6,7 +6,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
@@ -21,7 +21,7 @@ from skinsource.design.target import Target, conditions_of, is_unsolved, target_
 from skinsource.inverse.aiming import Aim, Way, aim_of, on_limb, sentences, ways
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
-from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.own_limbs import facts_of, missing_limb
 from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.limbs.surface.surface import cached_surface_operator
 from skinsource_gui.plots.small_map import SmallMap, field_image
@@ -125,6 +125,9 @@ class Aiming(QObject):
 
     def _follow(self) -> None:
         design = self._document.design
+        absent = design.limb not in self._limbs.names
+        if absent or missing_limb(design.limb, design.limb_digest):
+            return
         found = target_in(design)
         if found is not None and is_unsolved(design):
             self._worker.run_newest("solve", partial(_solved, design, found[1]), self._take)
@@ -196,5 +199,5 @@ def _solved(design: Design, target: Target) -> Target:
     """Return the solved target of a design; one that cannot be solved plays nothing."""
     try:
         return aim_of(design).solved(design)
-    except SkinSourceError:
+    except InvalidInputError:
         return replace(target, places=(), drives=(), solved_for=conditions_of(design))

@@ -186,6 +186,15 @@ def test_what_cannot_be_solved_plays_nothing_and_says_why(at_target):
     assert len(document.design.inputs) == 16
 
 
+def test_of_a_limb_that_is_not_here_the_drives_stay(at_target):
+    design = edits.paint_target(START, View(), [30]).design
+    solved = aim_of(design).solved(design)
+    elsewhere = replace(edits.solve_target(design, View(), solved).design, limb="measured-1")
+    window = at_target(design=elsewhere)
+    assert is_unsolved(window.document.design)
+    assert window.document.design == elsewhere
+
+
 @pytest.mark.parametrize(
     ("level_db", "text"),
     [(-3.21, "−3.2 dB"), (4.0, "+4.0 dB"), (-20.1, "< −20 dB")],

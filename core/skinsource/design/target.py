@@ -17,6 +17,7 @@ from skinsource.design.motions import LEVEL, MAX_PATH, START, WAVEFORM, ms_text,
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import RECORDING_SAMPLES, Recording
 from skinsource.design.waveforms.tones import Tone
+from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource.specs.samples import Samples
@@ -165,9 +166,9 @@ def target_in(design: Design) -> tuple[int, Target] | None:
 
 def conditions_of(design: Design) -> str:
     """Return what of a design the drives of a target depend on, besides the target."""
-    actuated = design.actuated
+    actuated, digest = design.actuated, design.limb_digest or facts_of(design.limb).digest
     through = "" if actuated is None else f"actuator {actuated.equaliser is not None}"
-    return f"{design.limb} {design.limb_digest} {design.scaling} {through}".strip()
+    return f"{design.limb} {digest} {design.scaling} {through}".strip()
 
 
 def is_unsolved(design: Design) -> bool:

@@ -249,13 +249,12 @@ class OnLimb:
 
 def ways(aim: Aim) -> tuple[Way, Way, Way]:
     """Return what the best single input, time reversal and the drives of a target do."""
-    reversed_target = replace(aim.target, beta=BETA.maximum)
-    in_time = _solved(reversed_target, aim.limb, aim.responses.frequencies_hz)
-    least = aim.power @ np.square(np.abs(_equal(aim, in_time.used_drives))).sum(axis=1)
+    in_time = _reversed(aim)
+    least = aim.power @ np.square(np.abs(_equal(aim, in_time))).sum(axis=1)
     between = float(aim.power @ 10.0 ** (-aim.focus.unseen_contrast_db / 10.0))
     return (
         _way(aim, "Best input", _best_single(aim), least),
-        _way(aim, "Time reversal", in_time.used_drives, least),
+        _way(aim, "Time reversal", in_time, least),
         _way(aim, aim.target.title, aim.focus.used_drives, least, 10.0 * log10(between)),
     )
 
@@ -272,6 +271,14 @@ def _bright(aim: Aim, drives: Complexes) -> float:
 
 def _rows(outputs: tuple[int, ...]) -> list[int]:
     return [output - 1 for output in outputs]
+
+
+def _reversed(aim: Aim) -> Complexes:
+    """Return the drives of least effort."""
+    if len(aim.target.strong) == 1:
+        return aim.focus.row.conj() / np.square(np.abs(aim.focus.row)).sum(axis=1, keepdims=True)
+    gentle = replace(aim.target, beta=BETA.maximum, inputs=aim.places, most=0)
+    return _solved(gentle, aim.limb, aim.responses.frequencies_hz).used_drives
 
 
 def _best_single(aim: Aim) -> Complexes:
