@@ -170,5 +170,7 @@ def test_drives_of_an_older_wish_play_until_it_is_solved():
 
 def test_a_target_without_strong_outputs_plays_nothing():
     erased = painted(painted(solved(), (31,), "quiet"), (30,), "erase")
-    assert erased.inputs == PLAIN.inputs
-    assert not is_unsolved(erased)
+    typed = changed(solved(), strong=())
+    for design in (erased, typed):
+        assert design.inputs == PLAIN.inputs
+        assert not is_unsolved(design)

@@ -146,10 +146,15 @@ class Target(fields.CheckedModel):
         elif brush == "quiet":
             quiet = (*quiet, *outputs)
         changes: dict[str, Any] = {"strong": tuple(sorted(strong)), "quiet": tuple(sorted(quiet))}
-        return replace(self, **changes).taking_drives(self if strong else Target())
+        return replace(self, **changes).taking_drives(self)
 
     def taking_drives(self, solved: Target) -> Target:
-        """Return a copy with the drives of another target, solved if that wants the same."""
+        """Return a copy with the drives of another target, solved if that wants the same.
+
+        Without a strong output nothing plays.
+        """
+        if not self.strong:
+            solved = Target()
         unsolved: dict[str, Any] = {"places": (), "drives": (), "solved_for": ""}
         wanted = replace(solved, amplitude=self.amplitude, onset_s=self.onset_s, **unsolved)
         solved_for = solved.solved_for if wanted == replace(self, **unsolved) else ""
@@ -167,8 +172,8 @@ def target_in(design: Design) -> tuple[int, Target] | None:
 def conditions_of(design: Design) -> str:
     """Return what of a design the drives of a target depend on, besides the target."""
     actuated, digest = design.actuated, design.limb_digest or facts_of(design.limb).digest
-    through = "" if actuated is None else f"actuator {actuated.equaliser is not None}"
-    return f"{design.limb} {digest} {design.scaling} {through}".strip()
+    volts = "V" if actuated is not None and actuated.equaliser is None else ""
+    return f"{design.limb} {digest} {design.scaling} {volts}".strip()
 
 
 def is_unsolved(design: Design) -> bool:

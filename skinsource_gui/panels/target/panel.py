@@ -8,7 +8,12 @@ from typing import ClassVar
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QRectF, QSize, Qt
 
-from skinsource.base.conventions import LARGEST_VELOCITY_M_PER_S
+from skinsource.base.conventions import (
+    BAND_HZ,
+    LARGEST_VELOCITY_M_PER_S,
+    SAMPLE_RATE_HZ,
+    Band,
+)
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, View
@@ -39,7 +44,7 @@ from skinsource_gui.plots.small_map import (
 )
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
 from skinsource_gui.qt.labels import set_table_look
-from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.resources import columns_of
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.aiming import Found, FoundPanel, Person
@@ -50,6 +55,9 @@ _STEPS_PER_DECADE = 10
 _EMPTY = "Take a brush, and paint a strong output on the skin map"
 #: Levels of the lowest and the highest colour of the small maps, dB re the strong outputs.
 _RANGE_DB = (-30.0, 0.0)
+
+
+_SPEC = ModelSpec(label="Target", kinds=lambda: (Target,))
 
 
 def level_text(level_db: float) -> str:
@@ -175,6 +183,7 @@ class TargetPanel(FoundPanel):
 
     title: ClassVar[str] = "Target"
     name: ClassVar[str] = TARGET
+    reads_down: ClassVar[bool] = True
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -200,12 +209,14 @@ class TargetPanel(FoundPanel):
         self.detach.clicked.connect(
             lambda: self.edited.emit(edits.detach_target(self._design, self._view), None)
         )
-        spec = ModelSpec(label="Target", kinds=lambda: (Target,))
-        self.fields = PartFields(spec, new_editor, self)
+        # Rate and band of the limb, which limit the fields.
+        self._played: tuple[float, Band | None] = SAMPLE_RATE_HZ, BAND_HZ
+        self.fields = PartFields(_SPEC, new_editor, self)
         self.fields.edited.connect(self._change)
         self.grid, self.ways, self.people = FieldGrid(), WaysTable(), PeopleMaps()
         self.said = page_label("target_said")
-        self.about = page_label("target_about", Target.limits, tone="dim")
+        self.about = page_label("target_about", tone="dim")
+        self.about.setToolTip(tooltip(Target.law, Target.source))
         self._lay_out()
         self.show_state(self._design, self._view)
         self.show_found(None)
@@ -217,16 +228,12 @@ class TargetPanel(FoundPanel):
         self._design, self._view = design, view
         facts, found = facts_of(design.limb), target_in(design)
         target = Target() if found is None else found[1]
-        if target.strong != self._target.strong:
-            self.show_found(None)
         self._target = target
         for name, button in self.brushes.items():
             button.setChecked(name == brush_of(view))
-        self.fields.set_spec(
-            ModelSpec(label="Target", kinds=lambda: (Target,)).at_rate(
-                facts.sample_rate_hz, facts.band_hz
-            )
-        )
+        if (facts.sample_rate_hz, facts.band_hz) != self._played:
+            self._played = facts.sample_rate_hz, facts.band_hz
+            self.fields.set_spec(_SPEC.at_rate(*self._played))
         before = self.fields.cells
         self.fields.show_model(target)
         if self.fields.cells != before:
@@ -240,9 +247,10 @@ class TargetPanel(FoundPanel):
     def show_found(self, found: Found | None) -> None:
         shown = found or Found(design=self._design, said=(_EMPTY,))
         self.ways.show_ways(shown.ways, shown.design.limb)
-        level = f"Each way gives {self._target.amplitude:.3g} m/s² at the strong outputs."
-        self.said.setText(minus(" ".join((*shown.said, *([level] if shown.ways else [])))))
+        self.said.setText(minus(" ".join(shown.said)))
         set_tone(self.said, "warning" if found else "dim")
+        level = f"Each way gives {self._target.amplitude:.3g} m/s² at the strong outputs. "
+        self.about.setText((level if shown.ways else "") + Target.limits)
         self.people.show_people(shown.people, self._target.strong)
         for part in (self.ways, self.people):
             part.setVisible(bool(shown.ways))
