@@ -1,11 +1,14 @@
 """Finds the drives of the target of the open design, and what they do, away from the GUI thread."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
+from skinsource import inverse
 from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.design import edits
 from skinsource.design.design import Design
@@ -18,7 +21,6 @@ from skinsource.design.panel_settings import (
     with_settings,
 )
 from skinsource.design.target import Target, conditions_of, is_unsolved, target_in
-from skinsource.inverse.aiming import Aim, Way, aim_of, on_limb, sentences, ways
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of, missing_limb
@@ -66,7 +68,7 @@ class Found:
     """
 
     design: Design
-    ways: tuple[Way, ...] = ()
+    ways: tuple[inverse.aiming.Way, ...] = ()
     said: tuple[str, ...] = ()
     people: tuple[Person, ...] = ()
 
@@ -164,22 +166,24 @@ class Aiming(QObject):
 
     def _found_of(self, design: Design, names: tuple[str, ...]) -> Found:
         """Return what is known of a target; give way to one that is to be solved."""
-        aimed = aim_of(design)
+        aimed = inverse.aiming.aim_of(design)
         self._give_way()
-        beside = ways(aimed)
+        beside = inverse.aiming.ways(aimed)
         kind = design.limb.rpartition("-")[0]
         known = [name for name in names if name.startswith(f"{kind}-") and name != design.limb]
         people = tuple(self._person(aimed, name) for name in known if kind)
-        return Found(design=design, ways=beside, said=sentences(aimed, beside), people=people)
+        return Found(
+            design=design, ways=beside, said=inverse.aiming.sentences(aimed, beside), people=people
+        )
 
-    def _person(self, aimed: Aim, name: str) -> Person:
+    def _person(self, aimed: inverse.aiming.Aim, name: str) -> Person:
         self._give_way()
         if name not in self._others:
             limb = load_limb(name)
             stop = partial(self._worker.is_outdated, "solve")
             self._others[name] = limb, cached_surface_operator(limb, stop=stop)
         limb, surface = self._others[name]
-        there = on_limb(aimed, limb)
+        there = inverse.aiming.on_limb(aimed, limb)
         shown = SmallMap(
             limb_map=limb.map,
             levels_db=there.levels_db,
@@ -198,6 +202,6 @@ class Aiming(QObject):
 def _solved(design: Design, target: Target) -> Target:
     """Return the solved target of a design; one that cannot be solved plays nothing."""
     try:
-        return aim_of(design).solved(design)
+        return inverse.aiming.aim_of(design).solved(design)
     except InvalidInputError:
         return replace(target, places=(), drives=(), solved_for=conditions_of(design))

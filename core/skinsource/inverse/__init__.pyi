@@ -1,3 +1,4 @@
+from . import aiming as aiming
 from .focusing import Focus as Focus
 from .focusing import best_single as best_single
 from .focusing import focus as focus
