@@ -65,9 +65,7 @@ class Responses:
         """Level of each output's responses above their noise, (n_outputs,); may be infinite."""
         energy = np.mean(np.square(np.abs(self.values)).sum(axis=2), axis=(0, 2))
         noise = np.zeros_like(energy) if self.noise_energy is None else self.noise_energy
-        with np.errstate(divide="ignore", invalid="ignore"):
-            level_db = 10.0 * np.log10(energy / noise)
-        return np.where(energy > 0.0, level_db, -np.inf)
+        return np.where(energy > 0.0, power_db(energy, noise), -np.inf)
 
     @cached_property
     def others(self) -> tuple[int, ...]:
@@ -177,11 +175,13 @@ def bins_hz(limb: Limb | LimbFacts, band_hz: Band) -> Floats:
 def _checked_frequencies(frequencies_hz: ArrayLike, band: Band) -> Floats:
     at_hz = np.atleast_1d(finite_array("frequencies_hz", frequencies_hz, "frequencies in Hz"))
     if at_hz.ndim != 1 or not at_hz.size or (np.diff(at_hz) <= 0.0).any():
-        raise InvalidInputError("frequencies_hz has to be rising, (n_bins,). Sort them.")
+        raise InvalidInputError(
+            "frequencies_hz does not rise, expected (n_bins,). Sort the frequencies."
+        )
     if at_hz[0] < band[0] or at_hz[-1] > band[1]:
         raise InvalidInputError(
             f"frequencies_hz reach from {at_hz[0]:g} to {at_hz[-1]:g} Hz, but responses were "
-            f"measured from {band[0]:g} to {band[1]:g} Hz. Stay within."
+            f"measured from {band[0]:g} to {band[1]:g} Hz. Choose frequencies within."
         )
     return at_hz
 
@@ -219,8 +219,8 @@ def gram_of(rows: Complexes) -> Complexes:
 
 
 def power_db(energy: Floats, reference: Floats) -> Floats:
-    """Return 10 log10(energy / reference); infinite where the reference alone is 0."""
-    with np.errstate(divide="ignore"):
+    """Return 10 log10(energy / reference); NaN where both are 0."""
+    with np.errstate(divide="ignore", invalid="ignore"):
         return 10.0 * (np.log10(energy) - np.log10(reference))
 
 

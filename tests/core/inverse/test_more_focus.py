@@ -26,6 +26,25 @@ def test_time_reversal_needs_the_least_effort_and_knows_no_quiet_output(limb):
     np.testing.assert_allclose(found.unseen_contrast_db, found.mean_contrast_db)
 
 
+def test_no_drives_of_its_power_are_stronger_than_time_reversal(limb):
+    found = ss.inverse.time_reversal(limb, TARGET, frequencies_hz=AT_HZ)
+    rng = np.random.default_rng(1)
+    size = np.linalg.norm(found.used_drives, axis=1, keepdims=True)
+    for _ in range(100):
+        other = found.used_drives + size * rng.normal(size=(*size.shape[:1], 15))
+        other *= size / np.linalg.norm(other, axis=1, keepdims=True)
+        assert (np.abs((found.row * other).sum(axis=1)) < 1.0).all()
+
+
+def test_a_dead_input_is_never_the_best(limb, limb_of):
+    deaf = limb_of(
+        lambda place: limb.response_to(place) * (place > 3), name="of-a-lab", synthetic=True
+    )
+    places = [1, 2, 3, 7]
+    found = ss.inverse.best_single(deaf, TARGET, inputs=places, frequencies_hz=AT_HZ)
+    assert found.inputs == (7,)
+
+
 def test_a_response_flipped_in_time_peaks_at_its_energy_and_is_symmetric(limb):
     taps = limb.impulse_responses[:, TARGET - 1, 2]
     at_target = sum(np.convolve(each, each[::-1]) for each in taps)
