@@ -203,6 +203,8 @@ class Document(QObject):
 
     def amend(self, outcome: Edit) -> None:
         """Replace the present design, also in the history: it is no step of its own."""
+        if outcome.design == self._design:
+            return
         step, state = self.undo_stack.index(), HistoryState(outcome.design, outcome.view)
         for at, end in ((step - 1, "after"), (step, "before")):
             command = self.undo_stack.command(at)

@@ -109,6 +109,7 @@ def test_a_gesture_goes_on_after_what_was_amended(document):
     for frequency_hz in (101.0, 103.0):
         document.edit("f", with_frequency(document, frequency_hz), gesture=1)
         amended(document, frequency_hz + 1.0)
+        amended(document, frequency_hz + 1.0)
     assert document.undo_stack.count() == 1
     document.undo_stack.undo()
     assert document.design == ONE_TONE

@@ -133,10 +133,12 @@ def test_the_slider_changes_drives_and_is_one_step(at_target):
     window = at_target()
     stroke(window, 30)
     before = target_of(window).drives
-    panel = window.panel(TARGET)
+    slider = window.panel(TARGET).sharpness
+    slider.setSliderDown(True)
     for steps in (50, 55, 60):
-        panel.sharpness.setValue(steps)
-    window.settle_target()
+        slider.setValue(steps)
+        window.settle_target()
+    slider.setSliderDown(False)
     assert target_of(window).beta == pytest.approx(1e-3)
     assert target_of(window).drives != before
     assert not is_unsolved(window.document.design)

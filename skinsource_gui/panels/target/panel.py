@@ -31,7 +31,7 @@ from skinsource.inverse.aiming import DEEPEST_DB, Way
 from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.numbers import ModelSpec
-from skinsource_gui.fields.editor import Burst
+from skinsource_gui.fields.editor import Burst, new_gesture
 from skinsource_gui.fields.editors import new_editor
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.parts import PartFields
@@ -140,7 +140,9 @@ class PeopleMaps(QtWidgets.QWidget):
     def show_people(self, people: tuple[Person, ...], strong: tuple[int, ...]) -> None:
         """Show what drives do on limbs, and rings at the strong outputs."""
         self.people, self._strong = people, strong
-        texts = [f"{each.title}: {_contrast(each)}" for each in people]
+        low, high = _RANGE_DB
+        texts = [minus(f"Colours: {low:g} to {high:g} dB re the strong outputs")]
+        texts += [f"{each.title}: {_contrast(each)} over the loudest other" for each in people]
         self.setAccessibleDescription("; ".join(texts))
         self.setToolTip("\n".join(texts))
         self.update()
@@ -202,7 +204,8 @@ class TargetPanel(FoundPanel):
         decades = log10(BETA.maximum / BETA.minimum)
         self.sharpness.setRange(0, round(_STEPS_PER_DECADE * decades))
         self.sharpness.valueChanged.connect(self._sharpen)
-        self._burst = Burst(self)
+        self.sharpness.sliderPressed.connect(self._begin_drag)
+        self._burst, self._gesture = Burst(self), 0
         self.use_clip = page_button("use_clip", "Use clip", "Play what the selected clip plays")
         self.use_clip.clicked.connect(self._use_clip)
         self.detach = page_button("detach_target", "Detach", "Leave ordinary tracks behind")
@@ -269,7 +272,12 @@ class TargetPanel(FoundPanel):
 
     def _sharpen(self, steps: int) -> None:
         beta = BETA.maximum / 10.0 ** (steps / _STEPS_PER_DECADE)
-        self._change(replace(self._target, beta=beta), self._burst.gesture())
+        dragged = self.sharpness.isSliderDown()
+        gesture = self._gesture if dragged else self._burst.gesture()
+        self._change(replace(self._target, beta=beta), gesture)
+
+    def _begin_drag(self) -> None:
+        self._gesture = new_gesture()
 
     def _use_clip(self) -> None:
         if (clip := self._clip()) is not None:
