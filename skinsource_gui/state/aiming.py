@@ -127,8 +127,7 @@ class Aiming(QObject):
 
     def _follow(self) -> None:
         design = self._document.design
-        absent = design.limb not in self._limbs.names
-        if absent or missing_limb(design.limb, design.limb_digest):
+        if missing_limb(design.limb, design.limb_digest):
             return
         found = target_in(design)
         if found is not None and is_unsolved(design):

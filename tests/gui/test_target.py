@@ -188,10 +188,11 @@ def test_what_cannot_be_solved_plays_nothing_and_says_why(at_target):
     assert len(document.design.inputs) == 16
 
 
-def test_of_a_limb_that_is_not_here_the_drives_stay(at_target):
+@pytest.mark.parametrize("limb", ["measured-1", "lab-9"])
+def test_of_a_limb_that_is_not_here_the_drives_stay(at_target, limb):
     design = edits.paint_target(START, View(), [30]).design
     solved = aim_of(design).solved(design)
-    elsewhere = replace(edits.solve_target(design, View(), solved).design, limb="measured-1")
+    elsewhere = replace(edits.solve_target(design, View(), solved).design, limb=limb)
     window = at_target(design=elsewhere)
     assert is_unsolved(window.document.design)
     assert window.document.design == elsewhere

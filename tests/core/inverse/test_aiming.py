@@ -142,6 +142,12 @@ def test_what_cannot_be_reached_is_said_with_the_best_that_is(single, own, said,
     assert list(sentences(aim(TARGET, limb), found)) == said
 
 
+def test_where_some_are_painted_quiet_the_rest_may_be_louder(limb):
+    few = aim(replace(TARGET, quiet=(19, 20)), limb)
+    louder = a_way(loudest_db=3.2)
+    assert sentences(few, (a_way(between_db=-8.5), a_way(), louder)) == ()
+
+
 @pytest.mark.parametrize(
     ("target", "reason"),
     [
