@@ -137,7 +137,8 @@ def test_inputs_that_are_not_in_use_have_no_track(limb):
         ({"peak": -1.0}, "peak is -1"),
         ({"spectrum": "flat"}, "spectrum 'flat' is not known"),
         ({"band_hz": (300.0, 50.0)}, "two rising frequencies"),
-        ({"waveform": ss.waveforms.Formula(text="0 * t"), "level": 1.0}, "silent"),
+        ({"waveform": ss.waveforms.Formula(text="0 * t"), "level": 1.0}, "nothing within 50 to"),
+        ({"waveform": replace(TONE, frequency_hz=500.0), "level": 1.0}, "nothing within 50 to"),
     ],
 )
 def test_what_cannot_be_designed_is_refused(focus, changes, match):
