@@ -73,7 +73,7 @@ def designed(
             )
         drives = drives * (wanted / _rms_at_target(limb, drives, row))
     if peak is not None and np.abs(drives).max() > positive_number("peak", peak):
-        cost = _cost(focus, pulse, _band(at_hz, band_hz), drives.shape[1])
+        cost = cost_of(focus, pulse, _band(at_hz, band_hz), drives.shape[1])
         drives = cost.within(peak, cost.applied(drives), drives)
     name = f"Focus on output {focus.target} of {limb.name}"
     return played(limb, focus.inputs, drives, name)
@@ -121,7 +121,7 @@ def _rms_at_target(limb: LimbFacts, drives: Floats, row: Complexes) -> float:
     return float(np.sqrt(loudest_energy(signal, n_window) / n_window))
 
 
-def _cost(focus: Focus, pulse: Floats, shape: Floats, n_times: int) -> Cost:
+def cost_of(focus: Focus, pulse: Floats, shape: Floats, n_times: int) -> Cost:
     """Return the cost whose least is the focus itself, for drives of ``n_times`` samples."""
     limb, n_used = focus.limb, len(focus.inputs)
     beta, unit = np.where(np.isinf(focus.beta), 1.0, focus.beta), loading(focus.gram)
