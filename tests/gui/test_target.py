@@ -7,10 +7,11 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 
-from skinsource import Design, View, edits, track
+from skinsource import Clip, Design, Input, View, edits, track
+from skinsource.design.effects.level import Fade
 from skinsource.design.panel_settings import TARGET, TargetSettings, brush_of, with_settings
 from skinsource.design.target import is_unsolved, target_in
-from skinsource.design.waveforms import Tap, Tone
+from skinsource.design.waveforms import Layers, Tap, Tone
 from skinsource.inverse.aiming import aim_of
 from skinsource_gui.panels.target.panel import level_text
 from tests.gui.timeline.bench import LanesBench
@@ -158,12 +159,21 @@ def test_another_limb_has_other_drives_in_the_same_step(at_target):
     assert not is_unsolved(document.design)
 
 
-def test_the_selected_clip_can_be_what_plays(at_target):
-    window = at_target(design=replace(START, inputs=(track(7, Tap()),)))
+FADED = Clip(waveform=Tap(), effects=(Fade(out_s=0.01),))
+
+
+@pytest.mark.parametrize(
+    ("clip", "waveform"),
+    [(Clip(waveform=Tap(), gain=0.5), Tap()), (replace(FADED, onset_s=0.3), Layers((FADED,)))],
+    ids=["plain", "faded"],
+)
+def test_the_selected_clip_can_be_what_plays(at_target, clip, waveform):
+    window = at_target(design=replace(START, inputs=(Input(location=7, clips=(clip,)),)))
     stroke(window, 30)
     window.panel(TARGET).use_clip.click()
     window.settle_target()
-    assert target_of(window).waveform == Tap()
+    assert target_of(window).waveform == waveform
+    assert not is_unsolved(window.document.design)
 
 
 def test_detached_tracks_stay_as_they_are(at_target):

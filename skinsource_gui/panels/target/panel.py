@@ -27,6 +27,7 @@ from skinsource.design.panel_settings import (
     with_settings,
 )
 from skinsource.design.target import BETA, Target, target_in
+from skinsource.design.waveforms.samples import Layers
 from skinsource.inverse.aiming import DEEPEST_DB, Way
 from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
@@ -281,7 +282,9 @@ class TargetPanel(FoundPanel):
 
     def _use_clip(self) -> None:
         if (clip := self._clip()) is not None:
-            self._change(replace(self._target, waveform=clip.waveform), None)
+            plain = replace(clip, onset_s=0.0, gain=1.0, muted=False, id=0)
+            waveform = Layers((plain,)) if clip.effects else clip.waveform
+            self._change(replace(self._target, waveform=waveform), None)
 
     def _lay_out(self) -> None:
         ends = [QtWidgets.QLabel(text) for text in ("Strong", "Sharp")]
