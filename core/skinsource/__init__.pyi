@@ -1,4 +1,5 @@
 from . import actuators as actuators
+from . import inverse as inverse
 from . import perception as perception
 from .actuators import equalising as equalising
 from .actuators import measuring as measuring

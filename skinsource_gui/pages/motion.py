@@ -26,6 +26,7 @@ from skinsource.design.motions import (
     with_motion_field,
     with_path_of,
 )
+from skinsource.design.target import Target
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import ModelSpec
@@ -329,6 +330,8 @@ class MotionPage(ToolPage):
         self._document = document
         clip = leading_clip(document.design, document.view)
         index = None if clip is None else motion_of(document.design, clip.id)
+        if index is not None and isinstance(document.design.motions[index].motion, Target):
+            index = None  # it has a panel
         self.draft = Draft(document.design, document.view, self, index)
         self.hand = HandDiagram(drawing_of(document.design.limb), self)
         self.hand.setAccessibleName("Path on the hand, palm side")

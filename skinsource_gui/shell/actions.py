@@ -15,6 +15,7 @@ from skinsource.design.design import NUMBERS, Design, Input, View
 from skinsource.design.edits.clips import copy_behind, of_each
 from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.panel_settings import brush_of
 from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.panels.timeline.clipboard import (
@@ -242,6 +243,7 @@ CHECKED: dict[str, Condition] = {
     "solo_input": _are(_inputs, lambda track: track.solo),
     "match_levels": lambda _, view: view.levels_matched,
     "mute_clips": _are(_clips, lambda clip: clip.muted),
+    "aim": lambda _, view: bool(brush_of(view)),
     "remove_delay": lambda _, view: view.delay_removed,
     "play_automatic": lambda _, view: not view.slow_motion,
     **{f"use_{word}_colours": partial(has_colours, name) for word, name in _COLOURS.items()},

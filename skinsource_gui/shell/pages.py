@@ -30,7 +30,7 @@ _PICTURE_PX = 640
 
 
 # Places of keys that are not called as their panel.
-_PLACES = {"stage": "presenting", "compare": "snapshot", "inspector": "number"}
+_PLACES = {"stage": "presenting", "compare": "snapshot", "inspector": "number", "target": "skin"}
 _PLACES |= dict.fromkeys(("traces", "spectra", "output", "analysis", "analysis_2"), "plot")
 
 

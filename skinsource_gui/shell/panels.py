@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from skinsource.design.panel_settings import StageSettings
+from skinsource.design.panel_settings import TARGET, StageSettings, TargetSettings
 from skinsource_gui.panels.analysis.settings import AnalysisSettings
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.hand.picture import HandSettings
@@ -42,6 +42,7 @@ PANELS: tuple[PanelSpec, ...] = (
         settings=StageSettings,
     ),
     PanelSpec(panel=LazyPanel("skin", "Skin"), settings=SkinSettings),
+    PanelSpec(panel=LazyPanel(TARGET, "Target"), settings=TargetSettings),
     PanelSpec(panel=LazyPanel("traces", "Traces"), settings=TracesSettings),
     PanelSpec(panel=LazyPanel("spectra", "Spectra"), settings=SpectraSettings),
     PanelSpec(panel=LazyPanel("clip_editor", "Clip editor")),

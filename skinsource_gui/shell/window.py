@@ -46,6 +46,7 @@ from skinsource_gui.shell.playing import Playback
 from skinsource_gui.shell.presenting import Presenter
 from skinsource_gui.shell.status import Accuracy, JobBar, MatchNote, StatusLine
 from skinsource_gui.shell.workspaces import WORKSPACES, Workspaces
+from skinsource_gui.state.aiming import Aiming
 from skinsource_gui.state.comparison import Comparison
 from skinsource_gui.state.conductor import Conductor, PanelController
 from skinsource_gui.state.document import Document
@@ -305,6 +306,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.playback = Playback(self.document, self.preferences, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = Levelling(self.document, self.runner, self)
+        self.aiming = Aiming(services, self.workspaces.bring)
         self.presenter = Presenter(
             services, self.files, self.workspaces, lambda: self.actions_by_name
         )
@@ -323,6 +325,7 @@ class MainWindow(QtWidgets.QMainWindow):
             "comparison": self.comparison,
             "jobs": self.runner,
             "levelling": self.levelling,
+            "aiming": self.aiming,
             **self.playback.capabilities(),
             "steps": self.document.undo_stack,
             "workspaces": self.workspaces,
@@ -467,6 +470,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.keeping.end()
         self.workspaces.close()
         self.engine.close()
-        for part in (self.playback, self.running_jobs, self.pages, self.imports, self.exports):
+        parts = self.playback, self.running_jobs, self.pages, self.imports, self.exports
+        for part in (*parts, self.aiming):
             part.end()
         super().closeEvent(event)

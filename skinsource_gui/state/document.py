@@ -201,6 +201,19 @@ class Document(QObject):
         """Replace the design, as `apply` does."""
         self.apply(Edit(label=label, design=design, view=self._view), gesture)
 
+    def amend(self, outcome: Edit) -> None:
+        """Replace the present design, also in the history: it is no step of its own."""
+        if outcome.design == self._design:
+            return
+        step, state = self.undo_stack.index(), HistoryState(outcome.design, outcome.view)
+        for at, end in ((step - 1, "after"), (step, "before")):
+            command = self.undo_stack.command(at)
+            if isinstance(command, ReplaceDesign):
+                setattr(command, end, state)
+        self._show(outcome.design, outcome.view)
+        self._emit_title()
+        self.settled.emit()
+
     def look(self, view: View) -> None:
         """Replace the view."""
         snapshots = self._view.snapshots
@@ -304,36 +317,36 @@ class ReplaceDesign(QtGui.QUndoCommand):
     ):
         super().__init__(label)
         self._document = document
-        self._before, self._after = before, after
+        self.before, self.after = before, after
         self._was_done = False
         self._gesture = _SINGLE_STEP if gesture is None else gesture
         self.at_s = time()
 
     def redo(self) -> None:
-        step = self._after
+        step = self.after
         # The first time, the whole view of the step is shown.
         view = step.view
         if self._was_done:
-            view = step.shown_with(self._document.view, self._before)
+            view = step.shown_with(self._document.view, self.before)
             self._document.jumped.emit()
         self._was_done = True
         self._document.show_step(step.design, view)
 
     def undo(self) -> None:
-        step = self._before
+        step = self.before
         self._document.jumped.emit()
-        view = step.shown_with(self._document.view, self._after)
+        view = step.shown_with(self._document.view, self.after)
         self._document.show_step(step.design, view)
 
     def id(self) -> int:
         return self._gesture
 
     def mergeWith(self, newer: QtGui.QUndoCommand) -> bool:
-        if not isinstance(newer, ReplaceDesign) or not self._after.is_before(newer._before):
+        if not isinstance(newer, ReplaceDesign) or not self.after.is_before(newer.before):
             return False
-        self._after, self.at_s = newer._after, newer.at_s
+        self.after, self.at_s = newer.after, newer.at_s
         self.setText(newer.text())
-        self.setObsolete(self._before.is_same(self._after))
+        self.setObsolete(self.before.is_same(self.after))
         return True
 
 

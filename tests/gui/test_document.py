@@ -89,6 +89,41 @@ def test_each_choice_of_outputs_is_a_step_and_no_edit_of_the_design(document):
         assert document.view.outputs == outputs
 
 
+def amended(document, frequency_hz):
+    design = with_frequency(document, frequency_hz)
+    document.amend(Edit(label="amend", design=design, view=document.view))
+    return design
+
+
+def test_what_is_amended_is_no_step_and_comes_back_by_redo(document):
+    document.edit("f", with_frequency(document, 101.0))
+    design = amended(document, 102.0)
+    assert document.undo_stack.count() == 1
+    document.undo_stack.undo()
+    assert document.design == ONE_TONE
+    document.undo_stack.redo()
+    assert document.design == design
+
+
+def test_a_gesture_goes_on_after_what_was_amended(document):
+    for frequency_hz in (101.0, 103.0):
+        document.edit("f", with_frequency(document, frequency_hz), gesture=1)
+        amended(document, frequency_hz + 1.0)
+        amended(document, frequency_hz + 1.0)
+    assert document.undo_stack.count() == 1
+    document.undo_stack.undo()
+    assert document.design == ONE_TONE
+
+
+def test_an_amended_state_before_a_step_is_that_to_which_undo_leads(document):
+    document.edit("f", with_frequency(document, 101.0))
+    document.undo_stack.undo()
+    design = amended(document, 102.0)
+    document.undo_stack.redo()
+    document.undo_stack.undo()
+    assert document.design == design
+
+
 def test_going_to_a_step_tells_once_and_undoes_or_redoes_all_between(document):
     for k in range(1, 1101):
         document.edit(f"edit {k}", with_frequency(document, 100.0 + k / 10))

@@ -11,8 +11,10 @@ from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.conventions import LIMB_NAMES
 from skinsource.design.effects import EFFECTS
 from skinsource.design.motions import MOTIONS, Alternation
+from skinsource.design.target import Target
 from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.perception.validity import Finding
+from skinsource.specs.samples import Samples
 from skinsource_gui.state.document import Document
 
 START = Design(
@@ -25,6 +27,7 @@ START = Design(
 )
 COIL = ActuatorAt(actuator="coil", model=actuators.load("example-voice-coil"))
 ACTUATION = Actuation(actuators=(COIL,))
+DRIVE = Samples(values=[0.0, 1.0, -0.5], sample_rate_hz=1300.0)
 RIG = Rig(channels=(RigChannel(place=2, actuator="example-piezo"),))
 # Mostly what there is, and now and then what there is not.
 likely_id = st.integers(1, 3)
@@ -55,6 +58,7 @@ findings = st.builds(
     factor=st.floats(0.1, 1.0),
     outputs=st.just((1, 2, 72)),
 )
+targets = st.sampled_from([Target(strong=(3,)), Target(places=(7,), drives=(DRIVE,)), None])
 FIELDS = ("amplitude", "onset_s", "frequency_hz", "duration_s", "seed", "window", "gains_db", "id")
 FIELDS_OF_EFFECTS = ("in_s", "times", "factor", "to_s", "points", "on", "low_hz", "")
 WAVEFORMS = ("Tone", "Tap", "Impulse", "Noise", "WaveletTrain", "Siren")
@@ -69,6 +73,7 @@ BY_NAME = {
     **dict.fromkeys(("curve", "points"), curves),
     "actuation": st.none() | switches.map(lambda on: replace(ACTUATION, on=on)),
     "axes": st.sampled_from(["x", "yz", "xyz", "", "zyx"]),
+    "brush": st.sampled_from(["strong", "quiet", "erase", "select", "loud"]),
     "by_tracks": steps_down,
     "column": st.sampled_from(["frequency", "amplitude", ""]),
     "finding": findings,
@@ -90,6 +95,7 @@ BY_NAME = {
     "samples": st.sampled_from([(0.0, 0.5, -1.0), (), (1.0, float("nan"))]),
     "rig": st.none() | st.just(RIG),
     "scaling": st.sampled_from(["upstream", "relative", "probe", "loud"]),
+    **dict.fromkeys(("solved", "target"), targets),
     "span": st.sampled_from(["record", "loudest", "other"]),
     "start": st.none() | one_id,
     "waveform": st.sampled_from([Tone(frequency_hz=33.0), Tap(), None]),

@@ -136,7 +136,8 @@ class Input(fields.CheckedModel, models.Nesting):
 
 
 def _motions() -> tuple[type[Motion], ...]:
-    return importlib.import_module("skinsource.design.motions").MOTIONS
+    motions = importlib.import_module("skinsource.design.motions").MOTIONS
+    return (*motions, importlib.import_module("skinsource.design.target").Target)
 
 
 CLIP_IDS = ListSpec(label="Clips", of=ID, most=MAX_INPUTS * MAX_CLIPS, different=True)

@@ -108,7 +108,7 @@ SPACING = NumberSpec(
 LEVEL = replace(AMPLITUDE, minimum=0.0, hint="Amplitude of each input")
 
 
-def _tracks_of(
+def tracks_of(
     motion: Any, locations: Sequence[int], clips: Iterable[dict[str, Any]]
 ) -> tuple[Input, ...]:
     """Return a track for each location, with its clips by their fields; locations keep their order.
@@ -131,7 +131,7 @@ def _evenly_spaced_tracks(
 ) -> tuple[Input, ...]:
     """Return tracks that play the waveform of a motion at one location after the other."""
     onsets_s = (motion.onset_s + k * motion.spacing_s for k in range(len(locations)))
-    return _tracks_of(motion, locations, ({"onset_s": onset_s} for onset_s in onsets_s))
+    return tracks_of(motion, locations, ({"onset_s": onset_s} for onset_s in onsets_s))
 
 
 def ms_text(time_s: float) -> str:
@@ -379,7 +379,7 @@ class Phantom(fields.CheckedModel):
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each of the two places, also for a silent one."""
         # Shares are amplitudes of tracks, which count under every scaling; gains of clips do not.
-        tracks = _tracks_of(self, self.path, ({}, {}))
+        tracks = tracks_of(self, self.path, ({}, {}))
         return tuple(
             replace(track, amplitude=share * self.amplitude)
             for track, share in zip(tracks, self.shares, strict=True)
@@ -461,7 +461,7 @@ class Sweep:
 
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each place."""
-        return _tracks_of(self, self.path, map(self._clip, range(len(self.path))))
+        return tracks_of(self, self.path, map(self._clip, range(len(self.path))))
 
     def _clip(self, k: int) -> dict[str, Any]:
         n = len(self.path)
@@ -616,7 +616,7 @@ class TravellingPhase(fields.CheckedModel):
         """Return a track for each place."""
         phases_rad = map(self._phase_rad, range(len(self.path)))
         waveforms = (replace(self.waveform, phase_rad=phase_rad) for phase_rad in phases_rad)
-        return _tracks_of(self, self.path, ({"waveform": waveform} for waveform in waveforms))
+        return tracks_of(self, self.path, ({"waveform": waveform} for waveform in waveforms))
 
     def _phase_rad(self, k: int) -> float:
         if k == 0:

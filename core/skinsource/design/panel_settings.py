@@ -145,3 +145,31 @@ class SpectrogramSettings(fields.CheckedModel):
     def window_s(self) -> float:
         """Length of the window."""
         return float(self.window_ms) * 1e-3
+
+
+#: Name of the panel of targets; the skin map paints with its brush.
+TARGET = "target"
+NO_BRUSH = "select"
+BRUSH = ChoiceSpec(
+    label="Brush",
+    options=(
+        (NO_BRUSH, "Select"),
+        ("strong", "Strong"),
+        ("quiet", "Quiet"),
+        ("erase", "Erase"),
+    ),
+    hint="What a click or drag on the skin map does",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TargetSettings(fields.CheckedModel):
+    """What a click or drag on the skin map does: selects, or paints with a ``brush``."""
+
+    brush: str = fields.choice(NO_BRUSH, BRUSH)
+
+
+def brush_of(view: View) -> str:
+    """Return with what the skin map paints; "": it selects outputs."""
+    brush = settings_of(view, TARGET, TargetSettings).brush
+    return "" if brush == NO_BRUSH else brush

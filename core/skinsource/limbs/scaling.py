@@ -38,13 +38,17 @@ def per_probe_acceleration(response: Floats, sample_rate_hz: float) -> Floats:
     n_taps = response.shape[-1]
     # The inverse pulse has a short tail on both sides; room for it keeps it from wrapping round.
     n_fft = scipy.fft.next_fast_len(2 * n_taps, real=True)
-    frequency_hz = np.arange(n_fft // 2 + 1) * sample_rate_hz / n_fft
-    area = PULSE_PEAK_M_PER_S2 * PULSE_WIDTH_S * sample_rate_hz
-    pulse = area * np.sinc(frequency_hz * PULSE_WIDTH_S)
-    inverse = pulse / (pulse**2 + _REGULARISATION * area**2)
+    pulse = pulse_spectrum(np.arange(n_fft // 2 + 1) * sample_rate_hz / n_fft, sample_rate_hz)
+    inverse = pulse / (pulse**2 + _REGULARISATION * pulse[0] ** 2)
     padded = scipy.fft.irfft(scipy.fft.rfft(response, n_fft) * inverse, n_fft)
     # A view would keep the padding, too, for as long as somebody keeps the responses.
     return padded[..., :n_taps].copy()
+
+
+def pulse_spectrum(frequency_hz: Floats, sample_rate_hz: float) -> Floats:
+    """Return the sum of the samples of the measuring pulse at frequencies, m/s²; it is real."""
+    area = PULSE_PEAK_M_PER_S2 * PULSE_WIDTH_S * sample_rate_hz
+    return area * np.sinc(frequency_hz * PULSE_WIDTH_S)
 
 
 Scaling = Literal["upstream", "relative", "probe"]

@@ -11,6 +11,8 @@ from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import sentence
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design, View, audible_indices
+from skinsource.design.panel_settings import brush_of
+from skinsource.design.target import target_in
 from skinsource.engine.time_rules import Moving, SlidingEnergy
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.own_limbs import facts_of, own_map
@@ -64,6 +66,12 @@ def marks_of(design: Design, view: View) -> tuple[InputMark, ...]:
     )
 
 
+def painted_in(design: Design | None, view: View) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """Return the strong and the quiet outputs of the target, while there is a brush."""
+    found = None if design is None or not brush_of(view) else target_in(design)
+    return ((), ()) if found is None else (found[1].strong, found[1].quiet)
+
+
 _OF_LEVELS = MapQuantity()
 # Fields of these types are compared by value.
 _COMPARED = (tuple, bool, str, float, MapQuantity)
@@ -91,6 +99,8 @@ class MapContent:
         Name of the colour map.
     outputs
         Selected outputs.
+    strong, quiet
+        Outputs of a target, while it is painted.
     px_per_mm
         Outline pixels in a millimetre of the limb; 0 before that is known.
     inputs
@@ -120,6 +130,8 @@ class MapContent:
     exceeded: bool = False
     colours: str = VIRIDIS
     outputs: tuple[int, ...] = ()
+    strong: tuple[int, ...] = ()
+    quiet: tuple[int, ...] = ()
     px_per_mm: float = 0.0
     inputs: tuple[InputMark, ...] = ()
     sensors_shown: bool = True
@@ -243,6 +255,7 @@ def content_of(
     chosen, known = chosen_range(settings), results.get(_NAMES[settings.quantity][0])
     value_range = chosen or _automatic_range(results, settings, compared, steady or SteadyRange())
     shown_limbs = {limb, "" if design is None else design.limb}
+    strong, quiet = painted_in(design, view)
     return MapContent(
         limb_map=limb_map,
         limb=limb,
@@ -256,6 +269,8 @@ def content_of(
         exceeded=quantity.signed and known is not None and known.largest > value_range[1],
         colours=DIVERGING if quantity.signed else settings.colours,
         outputs=view.outputs,
+        strong=strong,
+        quiet=quiet,
         inputs=() if design is None else marks_of(design, view),
         sensors_shown=settings.sensors_shown,
         noisy=noisy,

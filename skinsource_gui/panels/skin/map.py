@@ -8,6 +8,7 @@ from skinsource.base.errors import counted
 from skinsource.design.labels import BACK_SIDE
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.locations import input_name, output_name
+from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import minus, output_text
 from skinsource_gui.panels.skin.content import InputMark, MapContent
 from skinsource_gui.panels.skin.layout import (
@@ -142,6 +143,11 @@ def selection_hint(outputs: tuple[int, ...]) -> str:
     if not outputs:
         return "No output selected · click one, or drag around several"
     return f"{counted(len(outputs), 'output')} selected · Shift+click adds or removes one"
+
+
+def brush_hint(brush: str) -> str:
+    """Return what a brush does, and how to put it away."""
+    return f"Brush {brush} · click or drag over outputs · Esc ends"
 
 
 def strongest_readout(content: MapContent) -> tuple[str, str, str]:
@@ -339,8 +345,14 @@ class SkinMap(QtWidgets.QWidget):
         Which outputs mouse and keys select.
     ring
         The place of the limb under the pointer, here or on the hand, in outline pixels.
+    paints
+        Whether clicks and drags paint outputs, and select none.
     """
 
+    #: The outputs to paint, a tuple of numbers; number of the gesture.
+    painted = Signal(object, object)
+    #: The brush is to be put away.
+    brush_left = Signal()
     #: The outputs to select, a tuple of numbers.
     outputs_chosen = Signal(object)
     #: Text on what is under the pointer or the keyboard's cursor; empty for nothing.
@@ -362,6 +374,10 @@ class SkinMap(QtWidgets.QWidget):
         self._outdated = False
         self._texts = CachedPicture()
         self.ring: tuple[float, float] | None = None
+        self.paints = False
+        # The outputs that were painted since the button went down, and the gesture.
+        self._stroke: set[int] | None = None
+        self._gesture = 0
         self._input_under_pointer: int | None = None
         # The same, or that under the pointer in another panel.
         self._input_marked: int | None = None
@@ -402,6 +418,13 @@ class SkinMap(QtWidgets.QWidget):
         self.update()
         if self.picker.pointer is not None or self.hasFocus():
             self.readout_changed.emit(self.readout())
+
+    def show_brush(self, paints: bool) -> None:
+        """Paint outputs, or select them."""
+        if paints != self.paints:
+            self.paints, self._stroke = paints, None
+            shape = Qt.CursorShape.CrossCursor if paints else Qt.CursorShape.ArrowCursor
+            self.setCursor(shape)
 
     def show_outdated(self, outdated: bool) -> None:
         """Say whether something newer is being computed."""
@@ -502,15 +525,22 @@ class SkinMap(QtWidgets.QWidget):
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.press(event)
-        self.picker.press(event)
+        if not self.paints:
+            self.picker.press(event)
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self._stroke, self._gesture = set(), new_gesture()
+            self._paint_at(event.position())
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.move(event)
         self._follow(event.position())
+        self._paint_at(event.position())
 
     def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.release(event)
-        if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
+        if self.paints:
+            self._stroke = None
+        elif event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
             points, picker = self.stage.layout.points, self.picker
             on_output = output_at(points, event.position()) is not None
             adds = bool(event.modifiers() & ADDS) and on_output
@@ -527,7 +557,9 @@ class SkinMap(QtWidgets.QWidget):
         if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
             at = event.position()
             on_input = input_at(self.content, self.stage.layout, at) is not None
-            if on_input or output_at(self.stage.layout.points, at) is not None:
+            if self.paints:
+                self.mousePressEvent(event)
+            elif on_input or output_at(self.stage.layout.points, at) is not None:
                 # The second of two quick clicks.
                 self.picker.press(event)
             else:
@@ -555,6 +587,10 @@ class SkinMap(QtWidgets.QWidget):
             self.stage.pan_zoom.show(WHOLE)
         elif meaning == "arm":
             self.stage.show_arm(shown=self.stage.pan_zoom.fit == HAND)
+        elif self.paints and meaning == "select_none":
+            self.brush_left.emit()
+        elif self.paints and meaning == "select" and self.picker.cursor_output is not None:
+            self.painted.emit((self.picker.cursor_output,), new_gesture())
         elif meaning == "remove":
             self.removal_requested.emit(self._last == "outputs")
         elif meaning == "select_none" and self._last == "input" and selected_inputs(self.content):
@@ -575,6 +611,14 @@ class SkinMap(QtWidgets.QWidget):
             self._point_at_place(self._place_at(at))
             self.readout_changed.emit(self.readout())
             self.update()
+
+    def _paint_at(self, at: QPointF) -> None:
+        if self._stroke is None or self.stage.layout is None:
+            return
+        number = output_at(self.stage.layout.points, at)
+        if number is not None and number not in self._stroke:
+            self._stroke.add(number)
+            self.painted.emit((number,), self._gesture)
 
     def _rest(self) -> None:
         """Look anew at what lies under a pointer that rests, below which all has moved."""

@@ -12,7 +12,7 @@ from skinsource.limbs.limb import LimbMap
 from skinsource_gui.panels.skin.content import InputMark, MapContent
 from skinsource_gui.panels.skin.layout import TEXT_LINES, MapLayout
 from skinsource_gui.plots.colour_maps import colour_table, is_light, level_colours
-from skinsource_gui.plots.outputs import dorsal_outputs
+from skinsource_gui.plots.outputs import dorsal_outputs, is_placed
 from skinsource_gui.plots.small_map import (
     bar_length_mm,
     paint_dark_strokes,
@@ -418,11 +418,13 @@ class MapPainter:
             paint_hatch(on_image, content.hatched, layout, self._screen_outline)
             paint_marks(on_image, content.inputs, self._limb_map, layout, theme, pointed_at)
             _paint_rings(on_image, content, layout, theme)
+            _paint_target(on_image, content, layout, theme)
             radius = ring_radius(0, content, layout)
             paint_labels(on_image, content.outputs, layout, radius, theme, self._bar_card)
             paint_length_bar(on_image, layout, content.px_per_mm, self._bar_card, theme)
 
-        shown = content.hatched, content.inputs, pointed_at, content.outputs
+        painted = content.strong, content.quiet
+        shown = content.hatched, content.inputs, pointed_at, content.outputs, painted
         key = (theme.name, *shown, content.shown_field is None, self._bar_card.getRect())
         self._marks.paint(painter, layout.room, key, paint)
 
@@ -548,3 +550,26 @@ def _paint_rings(
         width = (_THIN_PX if crowded else _OUTPUT_RING_PX) * layout.unit
         pen = theme.output_pen(rank, width, layout.unit)
         paint_ring(painter, centre, radius, pen, theme)
+
+
+# Half the side of the square around an output of a target, and of the sign in it.
+_SQUARE_PX, _SIGN_PX = 7.0, 4.0
+
+
+def _paint_target(
+    painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
+) -> None:
+    """Paint a square around each painted output, with a plus where it is strong, else a minus."""
+    unit = layout.unit
+    for number in (*content.strong, *content.quiet):
+        if not is_placed(layout.points, number) or is_on_card(number, layout):
+            continue
+        centre, is_strong = QPointF(*layout.points[number - 1]), number in content.strong
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), unit))
+        painter.setBrush(QtGui.QColor(theme.accent if is_strong else theme.base))
+        painter.drawRect(square(centre, _SQUARE_PX * unit))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.base if is_strong else theme.text), 2 * unit))
+        for along in [QPointF(_SIGN_PX * unit, 0.0), QPointF(0.0, _SIGN_PX * unit)][
+            : 1 + is_strong
+        ]:
+            painter.drawLine(QLineF(centre - along, centre + along))

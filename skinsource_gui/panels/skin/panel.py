@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, QSize, QSizeF, Qt
 from skinsource.design import edits
 from skinsource.design.design import Design, Snapshot, View
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.panel_settings import brush_of, settings_of, with_settings
 from skinsource.engine.time_rules import block_of
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.thresholds import LIMITS, LIMITS_IN_SHORT
@@ -22,10 +22,17 @@ from skinsource_gui.panels.skin.content import (
     is_whole,
     marks_of,
     needs_of,
+    painted_in,
     signals_name,
 )
 from skinsource_gui.panels.skin.layout import HAND
-from skinsource_gui.panels.skin.map import SkinMap, numbers_text, selection_hint, strongest_readout
+from skinsource_gui.panels.skin.map import (
+    SkinMap,
+    brush_hint,
+    numbers_text,
+    selection_hint,
+    strongest_readout,
+)
 from skinsource_gui.panels.skin.measure import MeasureLine
 from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
@@ -166,7 +173,8 @@ class SkinPanel(Panel):
             self.reset_range()
         if not view.snapshots:
             self._compared = ()
-        shown = view, facts_of(design.limb), marks_of(design, view)
+        self.map.show_brush(bool(brush_of(view)))
+        shown = view, facts_of(design.limb), marks_of(design, view), painted_in(design, view)
         if shown != self._shown or self.moves:
             self._shown = shown
             self._show()
@@ -280,7 +288,9 @@ class SkinPanel(Panel):
 
     def _show_readout(self, text: str) -> None:
         hint, whole, level = selection_hint(self.content.outputs), text, ""
-        if not text:
+        if not text and (brush := brush_of(self._view)):
+            text = whole = brush_hint(brush)
+        elif not text:
             strongest, value, level = strongest_readout(self.content)
             text, whole = strongest or hint, f"{value}\n{hint}".strip()
         brief = text.partition("  (")[0]
@@ -304,6 +314,8 @@ class SkinPanel(Panel):
         self.map.place_pointed_at.connect(self.place_pointed_at)
         self.map.inputs_chosen.connect(partial(self._edit, edits.select_inputs))
         self.map.removal_requested.connect(self._remove_inputs)
+        self.map.painted.connect(self._paint)
+        self.map.brush_left.connect(lambda: self.action_requested.emit("aim"))
         self.map.outputs_chosen.connect(partial(self._edit, edits.select_outputs))
         self.map.menu_requested.connect(self._open_menu)
         self.scrub.pace.edited.connect(lambda pace, _: self._choose_pace(float(pace)))
@@ -324,6 +336,11 @@ class SkinPanel(Panel):
     def _edit(self, edit: Callable[..., Edit | Refusal], value: Any) -> None:
         if self._design is not None:
             self.edited.emit(edit(self._design, self._view, value), None)
+
+    def _paint(self, outputs: tuple[int, ...], gesture: int) -> None:
+        if self._design is not None:
+            brush = brush_of(self._view)
+            self.edited.emit(edits.paint_target(self._design, self._view, outputs, brush), gesture)
 
     def _remove_inputs(self, outputs_selected: bool) -> None:
         """Remove those that are selected; where none is, or outputs are meant, say so."""

@@ -14,6 +14,7 @@ from skinsource.design.design import Design, View
 from skinsource.design.edits.clips import copy_behind
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.motions import motion_of
+from skinsource.design.target import Target
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Layers
 from skinsource.limbs.locations import input_name
@@ -100,9 +101,13 @@ class LanesMenu:
         several = len(view.selected_clips) > 1
         what = f"{len(view.selected_clips)} clips" if several else "clip"
         self._action(menu, "Edit clip", "show_clip_editor")
-        if motion_of(self._lanes.content.design, clip) is not None:
-            menu.addAction("Edit motion…").triggered.connect(
-                partial(self._lanes.action_requested.emit, "make_motion")
+        design = self._lanes.content.design
+        index = motion_of(design, clip)
+        if index is not None:
+            of_target = isinstance(design.motions[index].motion, Target)
+            text, action = ("Edit target", "aim") if of_target else ("Edit motion…", "make_motion")
+            menu.addAction(text).triggered.connect(
+                partial(self._lanes.action_requested.emit, action)
             )
         menu.addSeparator()
         self._act(menu, "Split at playhead", "split", edits.split_clips, view.playhead_s)

@@ -88,8 +88,8 @@ TWO_TRACKS = Design(
 class LanesBench(Bench):
     """A panel of two tracks with clips; edges snap only where a test lets them."""
 
-    def __init__(self, qtbot):
-        super().__init__(qtbot, TWO_TRACKS)
+    def __init__(self, qtbot, design=TWO_TRACKS):
+        super().__init__(qtbot, design)
         self.panel.resize(1000, 260)
         self.panel.show_results(clip_results(self.design))
         self.lanes.setFocus()

@@ -78,6 +78,10 @@ from .setup import mend as mend
 from .setup import play_slower as play_slower
 from .setup import predict_through as predict_through
 from .setup import remove_delay as remove_delay
+from .targets import change_target as change_target
+from .targets import detach_target as detach_target
+from .targets import paint_target as paint_target
+from .targets import solve_target as solve_target
 from .view import add_marker as add_marker
 from .view import forget_snapshot as forget_snapshot
 from .view import keep_match_gain as keep_match_gain

@@ -16,6 +16,7 @@ from skinsource.design.design import Design, Input, MotionGroup, View
 from skinsource.design.edits.clips import clips_selected
 from skinsource.design.edits.edit import Edit, Refusal, refusing, with_inputs_added
 from skinsource.design.motions import Motion, with_motion_field
+from skinsource.design.target import Target
 
 
 @refusing
@@ -121,7 +122,7 @@ def with_whole_motions(before: Design, edit: Edit) -> Edit:
     lost = [group for group in before.motions if group.clips in gone]
     said = edit.said
     if lost:
-        apart = f"{lost[0].motion.title} is now single clips; Undo makes it a motion again."
+        apart = f"{lost[0].motion.title} is now single clips; Undo brings it back."
         said = " ".join(filter(None, (said, apart)))
     if gone:
         design = _without_labels(design, gone.values(), set().union(*kept))
@@ -162,12 +163,14 @@ def _as_moved(
     present = list(filter(None, map(now.get, group.clips)))
     if len(present) < len(group.clips):
         return None
-    if present == [known.get(id) for id in group.clips]:
+    if not present or present == [known.get(id) for id in group.clips]:
         return group
     first = present[0][0]
     before: Any = group.motion
     try:
-        motion = with_motion_field(group.motion, "waveform", first.waveform)
+        motion = group.motion
+        if not isinstance(motion, Target):  # its waveform is that of the skin, not of a clip
+            motion = with_motion_field(motion, "waveform", first.waveform)
         motion = with_motion_field(motion, "onset_s", round(first.onset_s, _DECIMALS))
         written = _written_by(with_motion_field(motion, "amplitude", 1.0))
         pairs = zip(present, written, strict=False)

@@ -1,0 +1,13 @@
+from . import aiming as aiming
+from .focusing import Focus as Focus
+from .focusing import best_single as best_single
+from .focusing import focus as focus
+from .focusing import loaded as loaded
+from .focusing import paint as paint
+from .focusing import quietest as quietest
+from .focusing import time_reversal as time_reversal
+from .placement import Placement as Placement
+from .placement import place as place
+from .reproducing import Reproduction as Reproduction
+from .reproducing import move as move
+from .reproducing import reproduce as reproduce

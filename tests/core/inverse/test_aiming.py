@@ -1,0 +1,169 @@
+"""The drives of a target: strong outputs play its waveform; figures are those of the map."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource import Design, View, edits
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.target import Target
+from skinsource.design.waveforms import Formula, Tap, Tone
+from skinsource.inverse.aiming import Way, aim, aim_of, on_limb, sentences, ways
+
+LIMB = "synthetic-1"
+TARGET = Target(strong=(30,), waveform=Tone(100.0, duration_s=0.2))
+
+
+@pytest.fixture(scope="module")
+def limb():
+    return ss.load_limb(LIMB)
+
+
+def solved(target=TARGET, **changes):
+    """A design that plays a target."""
+    design = Design(limb=LIMB, **changes)
+    design = edits.add_motion(design, View(), target).design
+    return edits.solve_target(design, View(), aim_of(design).solved(design)).design
+
+
+def levels_db(design, limb=LIMB):
+    design = replace(design, limb=limb)
+    return ss.evaluate(design, "output_levels_db", view=View(axes="z"))["output_levels_db"]
+
+
+def mean_db(levels):
+    return 10.0 * np.log10(np.mean(10.0 ** (np.asarray(levels) / 10.0)))
+
+
+def test_the_strong_output_plays_the_waveform(limb):
+    design = solved(replace(TARGET, amplitude=2.0))
+    drives = [2.0 * track.clips[0].waveform.samples.values for track in design.inputs]
+    places = [track.location for track in design.inputs]
+    played = ss.predict(limb, drives, locations=places)[29, 2]
+    delay_s = aim(TARGET, limb).focus.delay_s
+    first = int(delay_s * limb.sample_rate_hz)
+    waveform = np.zeros_like(played)
+    wanted = 2.0 * TARGET.waveform.samples(1300.0, delay_s - first / 1300.0)
+    waveform[first : first + wanted.size] = wanted
+    error = np.square(played - waveform).sum() / np.square(waveform).sum()
+    assert 10.0 * np.log10(error) < -25.0
+
+
+@pytest.mark.parametrize("strong", [(30,), (28, 29, 30)])
+def test_figures_are_those_of_the_map(strong):
+    target = replace(TARGET, strong=strong, waveform=Tap())
+    *_, own = ways(aim_of(design := solved(target)))
+    levels = levels_db(design)
+    bright = mean_db(levels[[output - 1 for output in strong]])
+    others = [output for output in range(1, 43) if output not in strong]
+    of_others = levels[[output - 1 for output in others]]
+    assert own.loudest == others[int(np.argmax(of_others))]
+    assert own.loudest_db == pytest.approx(of_others.max() - bright, abs=0.3)
+    assert own.quiet_db == pytest.approx(mean_db(of_others) - bright, abs=0.3)
+
+
+def test_painted_quiet_outputs_are_quieter_than_where_all_are(limb):
+    few = aim(replace(TARGET, quiet=(19, 20)), limb)
+    assert ways(few)[2].quiet_db < ways(aim(TARGET, limb))[2].quiet_db - 3.0
+
+
+def test_velocities_are_those_of_the_probes(limb):
+    target = replace(TARGET, amplitude=3.0)
+    *_, own = ways(aim(target, limb))
+    drives = [track.clips[0].waveform.samples.values for track in solved(target).inputs]
+    velocities = np.cumsum(drives, axis=1) * 3.0 / limb.sample_rate_hz
+    assert own.velocity_m_per_s == pytest.approx(np.abs(velocities).max(), rel=0.05)
+
+
+def test_time_reversal_needs_the_least_effort_and_one_input_is_one(limb):
+    single, in_time, own = ways(aim(TARGET, limb))
+    assert in_time.effort_db == pytest.approx(0.0, abs=1e-9)
+    assert single.effort_db > own.effort_db > 0.0
+    alone = aim(replace(TARGET, inputs=(7,)), limb)
+    assert [way.quiet_db for way in ways(alone)] == pytest.approx(
+        3 * [ways(alone)[0].quiet_db], abs=0.1
+    )
+
+
+def test_as_many_inputs_play_as_are_allowed(limb):
+    assert len(aim(replace(TARGET, most=3), limb).places) == 3
+    assert set(aim(replace(TARGET, most=3, inputs=(6, 7, 8, 9, 12)), limb).places) <= {
+        6,
+        7,
+        8,
+        9,
+        12,
+    }
+    assert aim(replace(TARGET, inputs=(7, 12)), limb).places == (7, 12)
+
+
+def test_other_people_get_the_same_drives(limb):
+    design = solved()
+    aimed = aim_of(design)
+    other = on_limb(aimed, ss.load_limb("synthetic-2"))
+    levels = levels_db(design, "synthetic-2") - levels_db(design)[29]
+    np.testing.assert_allclose(other.levels_db[:42], levels[:42], atol=0.5)
+    own = on_limb(aimed, limb)
+    assert own.contrast_db == pytest.approx(-ways(aimed)[2].loudest_db)
+
+
+def a_way(**changes):
+    figures = {"loudest_db": -5.0, "quiet_db": -12.0, "between_db": -12.0, "effort_db": 1.0}
+    figures |= {"contact_db": 3.0, "velocity_m_per_s": 0.01}
+    return Way(title="", loudest=31, **figures | changes)
+
+
+@pytest.mark.parametrize(
+    ("single", "own", "said"),
+    [
+        ({"between_db": -9.5}, {}, ["One actuator does as well."]),
+        ({"between_db": -8.5}, {}, []),
+        (
+            {"between_db": -8.5},
+            {"quiet_db": -28.0},
+            ["What is quiet is below -20 dB in the model."],
+        ),
+        (
+            {"between_db": -8.5},
+            {"velocity_m_per_s": 0.08},
+            ["Not reachable within 40 mm/s: 0.5 m/s² at most."],
+        ),
+        (
+            {"between_db": -8.5},
+            {"loudest_db": 3.2},
+            ["Not reachable: Digit II, middle phalanx, radial is 3.2 dB louder at best."],
+        ),
+    ],
+)
+def test_what_cannot_be_reached_is_said_with_the_best_that_is(single, own, said, limb):
+    found = a_way(**single), a_way(), a_way(**own)
+    assert list(sentences(aim(TARGET, limb), found)) == said
+
+
+def test_where_some_are_painted_quiet_the_rest_may_be_louder(limb):
+    few = aim(replace(TARGET, quiet=(19, 20)), limb)
+    louder = a_way(loudest_db=3.2)
+    assert sentences(few, (a_way(between_db=-8.5), a_way(), louder)) == ()
+
+
+@pytest.mark.parametrize(
+    ("target", "reason"),
+    [
+        (Target(), "No output is strong"),
+        (Target(strong=(80,)), "output"),
+        (replace(TARGET, inputs=(25,)), "place"),
+        (replace(TARGET, waveform=Formula("0*t", 0.1)), "no energy"),
+    ],
+)
+def test_what_cannot_be_solved_says_why(target, reason, limb):
+    with pytest.raises(InvalidInputError, match=reason):
+        aim(target, limb)
+
+
+@pytest.mark.parametrize("scaling", ["upstream", "relative"])
+def test_drives_that_are_no_accelerations_are_refused(scaling):
+    design = edits.add_motion(Design(limb=LIMB, scaling=scaling), View(), TARGET).design
+    with pytest.raises(InvalidInputError, match="scaling Probe acceleration"):
+        aim_of(design)

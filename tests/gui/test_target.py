@@ -1,0 +1,233 @@
+"""A target is painted on the skin map; its drives follow, and its panel says how near they come."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtTest import QTest
+
+from skinsource import Clip, Design, Input, View, edits, track
+from skinsource.design.effects.level import Fade
+from skinsource.design.panel_settings import TARGET, TargetSettings, brush_of, with_settings
+from skinsource.design.target import is_unsolved, target_in
+from skinsource.design.waveforms import Layers, Tap, Tone
+from skinsource.inverse.aiming import aim_of
+from skinsource_gui.panels.target.panel import level_text
+from tests.gui.timeline.bench import LanesBench
+
+START = Design(limb="synthetic-1", inputs=(track(7, Tone()),))
+
+
+def view_with(brush):
+    return with_settings(View(), TARGET, TargetSettings(brush=brush))
+
+
+@pytest.fixture
+def at_target(open_window, qtbot):
+    """The studio with the strong brush, and a function that waits until all is solved."""
+
+    def begin(brush="strong", design=START):
+        window = open_window(design, view_with(brush))
+        window.workspaces.bring(TARGET)
+
+        def settled():
+            qtbot.waitUntil(lambda: not window.aiming.busy, timeout=30_000)
+            window.catch_up()
+
+        window.settle_target = settled
+        settled()
+        return window
+
+    return begin
+
+
+def stroke(window, *outputs):
+    """Drag over outputs of the map with the left button."""
+    skin = window.panel("skin").map
+    places = [skin.stage.place_of(output) for output in outputs]
+    left, none = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
+    for kind, at, button in (
+        (QEvent.Type.MouseButtonPress, places[0], left),
+        *((QEvent.Type.MouseMove, at, none) for at in places[1:]),
+        (QEvent.Type.MouseButtonRelease, places[-1], left),
+    ):
+        held = none if kind == QEvent.Type.MouseButtonRelease else left
+        on_screen = QPointF(skin.mapToGlobal(at))
+        event = QMouseEvent(kind, at, on_screen, button, held, Qt.KeyboardModifier.NoModifier)
+        skin.event(event)
+    window.settle_target()
+
+
+def target_of(window):
+    found = target_in(window.document.design)
+    return None if found is None else found[1]
+
+
+def test_a_stroke_paints_outputs_and_its_drives_join_it_in_one_step(at_target):
+    window = at_target()
+    stroke(window, 28, 29)
+    assert target_of(window).strong == (28, 29)
+    assert not is_unsolved(window.document.design)
+    assert len(window.document.design.inputs) == 16
+    assert window.document.undo_stack.count() == 1
+    window.document.undo_stack.undo()
+    assert window.document.design == START
+    window.document.undo_stack.redo()
+    assert not is_unsolved(window.document.design)
+
+
+def test_brushes_paint_strong_quiet_and_free(at_target):
+    window = at_target()
+    stroke(window, 30)
+    window.panel(TARGET).brushes["quiet"].click()
+    stroke(window, 19, 20)
+    assert (target_of(window).strong, target_of(window).quiet) == ((30,), (19, 20))
+    window.panel(TARGET).brushes["erase"].click()
+    stroke(window, 20)
+    assert target_of(window).quiet == (19,)
+    content = window.panel("skin").content
+    assert (content.strong, content.quiet) == ((30,), (19,))
+
+
+def test_without_a_brush_the_map_selects_outputs(at_target):
+    window = at_target("select")
+    stroke(window, 30)
+    assert target_of(window) is None
+    assert window.document.view.outputs == (30,)
+
+
+def test_t_takes_the_strong_brush_and_puts_it_away(at_target):
+    window = at_target("select")
+    window.do("aim")
+    assert brush_of(window.document.view) == "strong"
+    assert window.panel(TARGET).isVisible()
+    assert window.actions_by_name["aim"].isChecked()
+    window.do("aim")
+    assert brush_of(window.document.view) == ""
+
+
+def test_the_keyboard_paints_too_and_esc_puts_the_brush_away(at_target):
+    window = at_target()
+    skin = window.panel("skin").map
+    skin.picker.cursor_output = 30
+    QTest.keyClick(skin, Qt.Key.Key_Return)
+    window.settle_target()
+    assert target_of(window).strong == (30,)
+    QTest.keyClick(skin, Qt.Key.Key_Escape)
+    assert brush_of(window.document.view) == ""
+
+
+def test_the_table_says_what_three_ways_do(at_target):
+    window = at_target()
+    panel = window.panel(TARGET)
+    assert panel.ways.isHidden()
+    stroke(window, 30)
+    ways = [panel.ways.item(row, 0).text() for row in range(3)]
+    assert ways == ["Best input", "Time reversal", "Target"]
+    assert panel.ways.item(2, 1).text().endswith("II middle rad.")
+    assert panel.ways.item(2, 6).text().endswith("of 40")
+    assert "One actuator does as well." in panel.said.text()
+
+
+def test_the_slider_changes_drives_and_is_one_step(at_target):
+    window = at_target()
+    stroke(window, 30)
+    before = target_of(window).drives
+    slider = window.panel(TARGET).sharpness
+    slider.setSliderDown(True)
+    for steps in (50, 55, 60):
+        slider.setValue(steps)
+        window.settle_target()
+    slider.setSliderDown(False)
+    assert target_of(window).beta == pytest.approx(1e-3)
+    assert target_of(window).drives != before
+    assert not is_unsolved(window.document.design)
+    assert window.document.undo_stack.count() == 2
+
+
+def test_another_limb_has_other_drives_in_the_same_step(at_target):
+    window = at_target()
+    stroke(window, 30)
+    before, document = target_of(window).drives, window.document
+    document.apply(edits.change_limb(document.design, document.view, "synthetic-2"))
+    window.settle_target()
+    assert target_of(window).drives != before
+    assert document.undo_stack.count() == 2
+    document.undo_stack.undo()
+    assert target_of(window).drives == before
+    assert not is_unsolved(document.design)
+
+
+FADED = Clip(waveform=Tap(), effects=(Fade(out_s=0.01),))
+
+
+@pytest.mark.parametrize(
+    ("clip", "waveform"),
+    [(Clip(waveform=Tap(), gain=0.5), Tap()), (replace(FADED, onset_s=0.3), Layers((FADED,)))],
+    ids=["plain", "faded"],
+)
+def test_the_selected_clip_can_be_what_plays(at_target, clip, waveform):
+    window = at_target(design=replace(START, inputs=(Input(location=7, clips=(clip,)),)))
+    stroke(window, 30)
+    window.panel(TARGET).use_clip.click()
+    window.settle_target()
+    assert target_of(window).waveform == waveform
+    assert not is_unsolved(window.document.design)
+
+
+def test_detached_tracks_stay_as_they_are(at_target):
+    window = at_target()
+    stroke(window, 30)
+    inputs = window.document.design.inputs
+    window.panel(TARGET).detach.click()
+    assert target_of(window) is None
+    assert window.document.design.inputs == inputs
+
+
+def test_what_cannot_be_solved_plays_nothing_and_says_why(at_target):
+    window = at_target()
+    stroke(window, 30)
+    document = window.document
+    document.apply(edits.change_scaling(document.design, document.view, "upstream"))
+    window.settle_target()
+    assert document.design.inputs == START.inputs
+    assert "Choose the scaling Probe acceleration" in window.panel(TARGET).said.text()
+    document.apply(edits.change_scaling(document.design, document.view, "probe"))
+    window.settle_target()
+    assert len(document.design.inputs) == 16
+
+
+@pytest.mark.parametrize("limb", ["measured-1", "lab-9"])
+def test_of_a_limb_that_is_not_here_the_drives_stay(at_target, limb):
+    design = edits.paint_target(START, View(), [30]).design
+    solved = aim_of(design).solved(design)
+    elsewhere = replace(edits.solve_target(design, View(), solved).design, limb=limb)
+    window = at_target(design=elsewhere)
+    assert is_unsolved(window.document.design)
+    assert window.document.design == elsewhere
+
+
+@pytest.mark.parametrize(
+    ("level_db", "text"),
+    [(-3.21, "−3.2 dB"), (4.0, "+4.0 dB"), (-20.1, "< −20 dB")],
+)
+def test_levels_are_not_deeper_than_the_model_is_exact(level_db, text):
+    assert level_text(level_db) == text
+
+
+def test_other_people_are_beside_it(at_target, preferences):
+    window = at_target()
+    stroke(window, 30)
+    others = [each.title for each in window.panel(TARGET).people.people]
+    assert others == ["Synthetic 2", "Synthetic 3", "Synthetic 4"]
+
+
+def test_its_clips_lead_back_to_it(qtbot):
+    design = edits.paint_target(Design(limb="synthetic-1"), View(), [30]).design
+    design = edits.solve_target(design, View(), aim_of(design).solved(design)).design
+    bench = LanesBench(qtbot, design)
+    requested = []
+    bench.panel.action_requested.connect(requested.append)
+    bench.menu_at(bench.middle(design.motions[0].clips[0]))["Edit target"].trigger()
+    assert requested == ["aim"]
