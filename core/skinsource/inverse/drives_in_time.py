@@ -12,13 +12,14 @@ from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import TooInaccurateError
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.samples import Recording
+from skinsource.inverse.responses import inverse_of
 from skinsource.limbs.limb import LimbFacts
 from skinsource.specs.samples import Samples
 
 # Residual at which the exact solution is reached, and most steps to it.
 _RESIDUAL, _MOST_STEPS = 1e-9, 3000
 # Last move within a peak, in parts of it.
-_SETTLED = 1e-7
+_SETTLED = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -49,7 +50,7 @@ class Cost:
 
     def fast(self, wanted: Complexes) -> Floats:
         """Return the least bin by bin, cut, (n_used, n_times), for b, (n_bins, n_used)."""
-        return self.cut(np.linalg.solve(self.normal, wanted[..., None])[..., 0])
+        return self.cut((inverse_of(self.normal) @ wanted[..., None])[..., 0])
 
     def exact(self, wanted: Complexes) -> Floats:
         """Return the least of drives of this length, by conjugate gradients.
@@ -59,16 +60,17 @@ class Cost:
         TooInaccurateError
             It is not reached.
         """
-        inverse = np.linalg.inv(self.normal)
-        b, drives = self.cut(wanted), self.fast(wanted)
+        inverse, b = inverse_of(self.normal), self.cut(wanted)
+        drives = self.cut((inverse @ wanted[..., None])[..., 0])
         residual = b - self.applied(drives)
         end = _RESIDUAL * np.linalg.norm(b)
-        direction, product = np.zeros_like(b), 1.0
+        direction: Floats = np.zeros_like(b)
+        product = 1.0
         for _ in range(_MOST_STEPS):
             if np.linalg.norm(residual) <= end:
                 return drives
             better = self._through(inverse, residual)
-            previous, product = product, np.vdot(residual, better)
+            previous, product = product, float(np.vdot(residual, better))
             direction = better + product / previous * direction
             onward = self.applied(direction)
             step = product / np.vdot(direction, onward)

@@ -16,9 +16,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking, real_number
-from skinsource.base.conventions import Axes, Complexes, Floats, Integers
+from skinsource.base.conventions import Axes, Band, Complexes, Floats, Integers
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.responses import Responses, responses_of
+from skinsource.design.design import Design
+from skinsource.design.waveform import Waveform
+from skinsource.inverse.designing import DRIVEN_HZ, Spectrum, delay_of, designed
+from skinsource.inverse.responses import (
+    Responses,
+    gram_of,
+    inverse_of,
+    loading,
+    power_db,
+    responses_of,
+)
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb, LimbFacts
 from skinsource.limbs.scaling import pulse_spectrum
@@ -106,6 +116,58 @@ class Focus:
         pulse = pulse_spectrum(self.frequencies_hz, limb.sample_rate_hz)
         at_target = np.abs((self.row * self.used_drives).sum(axis=1))
         return power_db(at_target**2, np.square(np.abs(self.drives).max(axis=1) * pulse))
+
+    @property
+    def delay_s(self) -> float:
+        """Time at which a waveform begins on the skin, after its design has begun."""
+        return delay_of(self.limb)
+
+    @checking
+    def design(
+        self,
+        waveform: Waveform,
+        level: float | None = None,
+        spectrum: Spectrum = "as drawn",
+        peak: float | None = None,
+        band_hz: Band = DRIVEN_HZ,
+    ) -> Design:
+        """Return a design that plays a waveform at the target, `delay_s` later.
+
+        Its drives are probe acceleration, as an equaliser wants it; those of own limbs are in the
+        unit of their drive.
+
+        Parameters
+        ----------
+        waveform
+            What the target does, m/s².
+        level
+            RMS of the target over its loudest 100 ms, m/s²; None: as of the waveform.
+        spectrum
+            ``"as drawn"``, or ``"natural"``: times the energy of the responses, at most 1, so that
+            little is spent where the skin answers little.
+        peak
+            Most that a drive may reach, m/s²; the best drives within it are then found, and the
+            target may become less strong.  None: there is no limit.
+        band_hz
+            Nothing is driven outside.
+
+        Raises
+        ------
+        InvalidInputError
+            A level is asked of a waveform without anything in the band.
+
+        Examples
+        --------
+        >>> import skinsource as ss
+        >>> found = ss.inverse.focus("synthetic-1", 30)
+        >>> design = found.design(ss.waveforms.Tone(frequency_hz=100.0), level=0.1)
+        >>> levels_db = ss.evaluate(
+        ...     design, "output_levels_db", view=ss.View(axes="z", span="loudest")
+        ... )["output_levels_db"]
+        >>> print(f"{levels_db[29]:.1f} dB")
+        -20.0 dB
+        """
+        return designed(self, waveform, level, spectrum, peak, band_hz)
 
 
 @checking
@@ -240,13 +302,12 @@ def best_single(
     >>> ss.inverse.best_single("synthetic-1", 30, frequencies_hz=[100.0]).inputs
     (12,)
     """
-    limb = limb_of(limb)
-    every = responses_of(limb, axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
+    every = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
     wish = Wish.of(every, [target], quiet)
     energy = np.square(np.abs(every.values)).sum(axis=(0, 2))
     contrast_db = power_db(energy[wish.strong[0] - 1], energy[np.array(wish.quiet) - 1].sum(axis=0))
     place = every.inputs[int(np.nanargmax(contrast_db))]
-    alone = responses_of(limb, axes=axes, inputs=(place,), frequencies_hz=frequencies_hz)
+    alone = replace(every, inputs=(place,), values=every.values[..., [every.inputs.index(place)]])
     return replace(wish, responses=alone).reversed_in_time()
 
 
@@ -400,7 +461,7 @@ class Wish:
     def inverse(self, beta: Floats, kept: Complexes | float = 0.0) -> Complexes:
         """Return (R + λ)⁻¹, (n_bins, n_used, n_used), with another Gram matrix beside R."""
         load = (beta * loading(self.gram))[:, None, None] * np.eye(self.gram.shape[-1])
-        return np.linalg.inv(self.gram + kept + load)
+        return inverse_of(self.gram + kept + load)
 
     def focused(self, beta: float = 0.3, effort_db: float | None = None) -> Focus:
         """Return the focus of `loaded`."""
@@ -442,16 +503,19 @@ class Wish:
 
     def _unseen_contrast_db(self, drives: Complexes, inverse: Complexes) -> Floats:
         """Return the contrast at quiet outputs, each left out of the design with the same λ."""
-        values, weights = self.responses.values, self.weights[:, :, None, None]
-        rows, of_strong = (values[:, np.array(which) - 1] for which in (self.quiet, self.strong))
-        passed = rows @ inverse[:, None]
-        hidden = weights * (passed @ rows.conj().swapaxes(2, 3))
-        seen = np.einsum("foai,fi->foa", rows, drives, optimize=True)
-        unseen = np.linalg.solve(np.eye(hidden.shape[-1]) - hidden, seen[..., None])
-        back = passed.conj().swapaxes(2, 3) @ (weights * unseen)
-        changed = drives[:, None] + back[..., 0]
-        at_strong = np.einsum("fsai,foi->fosa", of_strong, changed, optimize=True)
-        bright = np.square(np.abs(at_strong)).sum(axis=3).mean(axis=2)
+        # Matrices of all rows at a frequency: threads make many small products far longer.
+        n_bins, _, n_axes, n_used = self.responses.values.shape
+        rows, of_strong = (self.responses.rows(which) for which in (self.quiet, self.strong))
+        by_place = (n_bins, len(self.quiet), n_axes)
+        passed = (rows @ inverse).reshape(*by_place, n_used)
+        seen = np.einsum("fri,fi->fr", rows, drives).reshape(*by_place, 1)
+        rows = rows.reshape(*by_place, n_used)
+        weights = self.weights[:, :, None, None]
+        hidden = weights * np.einsum("foai,fobi->foab", passed, rows.conj())
+        unseen = np.linalg.solve(np.eye(n_axes) - hidden, seen)
+        back = np.einsum("foai,foac->foi", passed.conj(), weights * unseen)
+        at_strong = np.einsum("fri,foi->fro", of_strong, drives[:, None] + back)
+        bright = np.square(np.abs(at_strong)).sum(axis=1) / len(self.strong)
         ratio = np.square(np.abs(unseen)).sum(axis=(2, 3)) / bright
         return -power_db(ratio.mean(axis=1), np.ones(len(ratio)))
 
@@ -525,17 +589,6 @@ def _least_beta(values: Floats, shares: Floats, most: float) -> Floats:
     return np.exp(highest)
 
 
-def loading(gram: Complexes) -> Floats:
-    """Return λ at β = 1: tr(R) / n, (n_bins,); 1 where R is 0."""
-    mean = np.trace(gram, axis1=1, axis2=2).real / gram.shape[-1]
-    return np.where(mean > 0.0, mean, 1.0)
-
-
-def gram_of(rows: Complexes) -> Complexes:
-    """Return the sum of conj(G) G over rows, (n_bins, n_used, n_used), of (n_bins, n, n_used)."""
-    return rows.conj().swapaxes(1, 2) @ rows
-
-
 def target_row(responses: Responses, target: int) -> Complexes:
     """Return the responses of a target, (n_bins, n_used), along its strongest direction.
 
@@ -573,7 +626,7 @@ def quiet_of(
 
 def energy_of(responses: Responses, drives: Complexes) -> Floats:
     """Return the energy at all outputs over their axes, (n_bins, n_outputs)."""
-    field = np.einsum("foai,fi->foa", responses.values, drives, optimize=True)
+    field = np.einsum("foai,fi->foa", responses.values, drives)
     return np.square(np.abs(field)).sum(axis=2)
 
 
@@ -581,12 +634,6 @@ def effort_db(drives: Complexes, row: Complexes) -> Floats:
     """Return the energy of drives over the least that gives 1 at the target, (n_bins,)."""
     energies = (np.square(np.abs(each)).sum(axis=1) for each in (drives, row))
     return power_db(np.prod(list(energies), axis=0), np.ones(len(row)))
-
-
-def power_db(energy: Floats, reference: Floats) -> Floats:
-    """Return 10 log10(energy / reference); infinite where the reference alone is 0."""
-    with np.errstate(divide="ignore"):
-        return 10.0 * (np.log10(energy) - np.log10(reference))
 
 
 def checked_beta(beta: float) -> float:

@@ -11,8 +11,8 @@ import numpy as np
 from skinsource.base.arguments import checking, integer
 from skinsource.base.conventions import Axes, Complexes, Floats, Indices
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.focusing import checked_beta, gram_of, loading
-from skinsource.inverse.responses import Responses, responses_of
+from skinsource.inverse.focusing import checked_beta
+from skinsource.inverse.responses import Responses, gram_of, inverse_of, loading, responses_of
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import PUBLISHED, Limb
 
@@ -174,7 +174,7 @@ def _scorer(responses: Responses, targets: Sequence[int], beta: float) -> Scores
     def scores(sets: Indices) -> Floats:
         count = sets.shape[1]
         of_sets = gram[:, sets[:, :, None], sets[:, None, :]]
-        inverse = np.linalg.inv(of_sets + load[:, None, None, None] * np.eye(count))
+        inverse = inverse_of(of_sets + load[:, None, None, None] * np.eye(count))
         total = np.zeros(len(sets))
         for target in range(len(checked)):
             of_target = np.moveaxis(rows[:, target][..., sets], 1, 2)
@@ -192,4 +192,4 @@ def _scorer(responses: Responses, targets: Sequence[int], beta: float) -> Scores
 def _largest(matrices: Complexes) -> Floats:
     if matrices.shape[-1] == 1:
         return matrices[..., 0, 0].real
-    return np.linalg.eigvalsh(matrices)[..., -1]
+    return np.linalg.eigvalsh(matrices)[..., -1].astype(np.float64, copy=False)

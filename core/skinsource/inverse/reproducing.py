@@ -17,8 +17,16 @@ from skinsource.design.design import Design
 from skinsource.design.signal_path import LARGEST
 from skinsource.engine.prediction import predict
 from skinsource.inverse.drives_in_time import Cost, played
-from skinsource.inverse.focusing import checked_beta, gram_of, loading, power_db, quiet_of
-from skinsource.inverse.responses import Responses, responses_of, spectra_of
+from skinsource.inverse.focusing import checked_beta, quiet_of
+from skinsource.inverse.responses import (
+    Responses,
+    bins_of,
+    gram_of,
+    loading,
+    power_db,
+    responses_of,
+    spectra_of,
+)
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb, LimbFacts
 from skinsource.limbs.scaling import pulse_spectrum
@@ -69,7 +77,7 @@ class Reproduction:
         if not limb.per_unit_drive:
             drives = np.pad(drives, ((0, 0), (_PULSE_SAMPLES, _PULSE_SAMPLES)))
             n_fft = scipy.fft.next_fast_len(drives.shape[1], real=True)
-            at_hz = np.fft.rfftfreq(n_fft, 1.0 / limb.sample_rate_hz)
+            at_hz = bins_of(n_fft, limb.sample_rate_hz)
             spectra = scipy.fft.rfft(drives, n_fft) * pulse_spectrum(at_hz, limb.sample_rate_hz)
             drives = scipy.fft.irfft(spectra, n_fft)[:, : drives.shape[1]]
         return played(limb, range(1, limb.n_inputs + 1), drives, "Wanted on the skin")
@@ -142,7 +150,7 @@ def reproduce(
     within = responses_of(limb, axes=axes, inputs=inputs)
     outputs = [within.check_target(output) for output in wanted]
     silent = quiet_of(within, outputs, quiet)
-    at_hz = np.fft.rfftfreq(n_fft, 1.0 / limb.sample_rate_hz)
+    at_hz = bins_of(n_fft, limb.sample_rate_hz)
     outside = np.interp(at_hz, *_band_edges(limb))
     driven = outside < 1.0
     responses = spectra_of(limb, axes, within.inputs, at_hz[driven])

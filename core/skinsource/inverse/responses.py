@@ -105,6 +105,11 @@ class Responses:
         return integer("output", output, 1, self.limb.n_outputs)
 
 
+def bins_of(n_fft: int, sample_rate_hz: float) -> Floats:
+    """Return the frequencies of the bins of a transform, (n_fft // 2 + 1,)."""
+    return np.arange(n_fft // 2 + 1, dtype=np.float64) * (sample_rate_hz / n_fft)
+
+
 def n_fft_of(n_taps: int) -> int:
     """Return the length of transforms for responses of ``n_taps``: 1024 for 522."""
     return int(2 ** np.ceil(np.log2(1.9 * n_taps)))
@@ -158,15 +163,14 @@ def responses_of(
     return known[key]
 
 
-_MOST = 4
+_MOST = 8
 _Key = tuple[tuple[int, ...], tuple[int, ...], bytes]
 _RESPONSES: WeakKeyDictionary[Limb, dict[_Key, Responses]] = WeakKeyDictionary()
 
 
 def bins_hz(limb: Limb | LimbFacts, band_hz: Band) -> Floats:
     """Return the bins of the transform within a band, (n_bins,)."""
-    n_fft = n_fft_of(limb.n_taps)
-    all_hz = np.arange(n_fft // 2 + 1) * limb.sample_rate_hz / n_fft
+    all_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
     return all_hz[(all_hz >= band_hz[0]) & (all_hz <= band_hz[1])]
 
 
@@ -187,8 +191,9 @@ def spectra_of(limb: Limb, axes: Axes, inputs: tuple[int, ...], at_hz: Floats) -
     numbers = axis_numbers(axes, limb.axes)
     taps = np.stack([limb.response_to(place)[:, numbers] for place in inputs])
     phase = 2.0 * np.pi / limb.sample_rate_hz * np.arange(limb.n_taps)[:, None] * at_hz
+    rows = taps.reshape(-1, limb.n_taps)
     # Two real products take half the time of a complex one.
-    values = taps @ np.cos(phase) - 1j * (taps @ np.sin(phase))
+    values = (rows @ np.cos(phase) - 1j * (rows @ np.sin(phase))).reshape(*taps.shape[:3], -1)
     noises = [place_noise(limb, place) for place in inputs]
     known = [noise[:, numbers] for noise in noises if noise is not None]
     sizes = {each.name: getattr(limb, each.name, None) for each in fields(LimbFacts)}
@@ -200,3 +205,25 @@ def spectra_of(limb: Limb, axes: Axes, inputs: tuple[int, ...], at_hz: Floats) -
         values=np.ascontiguousarray(np.moveaxis(values, (3, 0), (0, 3))),
         noise_energy=limb.n_taps * np.square(known).sum(axis=2).mean(axis=0) if known else None,
     )
+
+
+def loading(gram: Complexes) -> Floats:
+    """Return λ at β = 1: tr(R) / n, (n_bins,); 1 where R is 0."""
+    mean = np.trace(gram, axis1=1, axis2=2).real / gram.shape[-1]
+    return np.where(mean > 0.0, mean, 1.0)
+
+
+def gram_of(rows: Complexes) -> Complexes:
+    """Return the sum of conj(G) G over rows, (n_bins, n_used, n_used), of (n_bins, n, n_used)."""
+    return rows.conj().swapaxes(1, 2) @ rows
+
+
+def power_db(energy: Floats, reference: Floats) -> Floats:
+    """Return 10 log10(energy / reference); infinite where the reference alone is 0."""
+    with np.errstate(divide="ignore"):
+        return 10.0 * (np.log10(energy) - np.log10(reference))
+
+
+def inverse_of(matrices: Complexes) -> Complexes:
+    """Return the inverses of matrices, (..., n, n)."""
+    return np.linalg.inv(matrices).astype(np.complex128, copy=False)

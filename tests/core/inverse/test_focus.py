@@ -5,8 +5,8 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.focusing import energy_of, gram_of, loading, target_row
-from skinsource.inverse.responses import responses_of
+from skinsource.inverse.focusing import energy_of, target_row
+from skinsource.inverse.responses import gram_of, loading, responses_of
 
 AT_HZ = [60.0, 100.0, 250.0]
 TARGET = 30

@@ -1,0 +1,207 @@
+"""Wanted waveforms: the least of the cost, exact and fast, within a peak; movements."""
+
+import numpy as np
+import pytest
+import scipy
+
+import skinsource as ss
+from skinsource.base.errors import InvalidInputError
+from skinsource.inverse.drives_in_time import Cost
+
+TARGET = 30
+BURST = ss.sinusoid(100.0, 0.05, window_name="hanning")
+#: Few, so that dense matrices of the same problem are small.
+FEW = {"quiet": [9, 20], "inputs": [7, 12, 13], "length_s": 0.08}
+
+
+@pytest.fixture(scope="module")
+def limb():
+    return ss.load_limb("synthetic-1")
+
+
+@pytest.fixture(scope="module")
+def problem():
+    """A cost with random responses, (5 rows, 3 inputs, 40 taps), and the wanted rows."""
+    rng = np.random.default_rng(2)
+    taps = rng.normal(size=(5, 3, 40)) * np.exp(-np.arange(40) / 8.0)
+    wanted = np.zeros((5, 99))
+    wanted[0, 30:60] = np.hanning(30) * np.sin(np.arange(30))
+    n_fft, n_times, load = 99, 60, 0.3
+    rows = np.moveaxis(scipy.fft.rfft(taps, n_fft), 2, 0)
+    cost = Cost(
+        normal=rows.conj().swapaxes(1, 2) @ rows + load * np.eye(3), n_fft=n_fft, n_times=n_times
+    )
+    b = np.einsum("fri,rf->fi", rows.conj(), scipy.fft.rfft(wanted))
+    columns = [
+        scipy.linalg.convolution_matrix(taps[row, place], n_times)
+        for row in range(5)
+        for place in range(3)
+    ]
+    dense = np.block([columns[3 * row : 3 * row + 3] for row in range(5)])
+    least = np.linalg.solve(dense.T @ dense + load * np.eye(180), dense.T @ wanted.ravel())
+    return cost, b, least.reshape(3, 60), (dense, wanted.ravel(), load)
+
+
+def cost_of(drives, dense, wanted, load):
+    return np.square(dense @ drives.ravel() - wanted).sum() + load * np.square(drives).sum()
+
+
+def test_the_exact_drives_are_those_of_the_dense_matrix(problem):
+    cost, b, least, _ = problem
+    np.testing.assert_allclose(cost.exact(b), least, atol=1e-8 * np.abs(least).max())
+
+
+def test_the_fast_drives_cost_little_more(problem):
+    cost, b, least, dense = problem
+    assert cost_of(least, *dense) <= cost_of(cost.fast(b), *dense) < 1.1 * cost_of(least, *dense)
+
+
+def test_a_loose_peak_changes_nothing(problem):
+    cost, b, least, _ = problem
+    peak = 1.01 * np.abs(least).max()
+    found = cost.within(peak, cost.cut(b), np.zeros_like(least))
+    np.testing.assert_allclose(found, least, atol=1e-5 * peak)
+
+
+def test_within_a_peak_no_drive_can_be_changed_for_the_better(problem):
+    cost, b, least, _ = problem
+    peak = 0.5 * np.abs(least).max()
+    found = cost.within(peak, cost.cut(b), least)
+    assert np.abs(found).max() <= peak
+    uphill = cost.applied(found) - cost.cut(b)
+    largest = np.abs(cost.cut(b)).max()
+    at_peak = np.abs(found) == peak
+    assert np.count_nonzero(at_peak) > 5
+    assert np.abs(uphill[~at_peak]).max() < 1e-5 * largest
+    assert (uphill[at_peak] * np.sign(found[at_peak]) <= 0.0).all()
+
+
+def test_it_is_better_than_clipped_drives(problem):
+    cost, b, least, dense = problem
+    peak = 0.5 * np.abs(least).max()
+    found = cost.within(peak, cost.cut(b), least)
+    assert cost_of(found, *dense) < 0.95 * cost_of(np.clip(least, -peak, peak), *dense)
+
+
+def response(limb, found, output, axis=2):
+    drives = [row for row in found.waveforms if row.any()]
+    places = np.flatnonzero(found.waveforms.any(axis=1)) + 1
+    return ss.predict(limb, drives, places, scaling="relative")[output - 1, axis]
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_the_error_is_that_of_the_prediction(limb, exact):
+    found = ss.inverse.reproduce(limb, {TARGET: BURST}, quiet=[9], exact=exact)
+    seen = response(limb, found, TARGET)
+    wanted = np.zeros_like(seen)
+    first = round(found.delay_s * limb.sample_rate_hz)
+    wanted[first : first + BURST.size] = BURST
+    error_db = 10 * np.log10(np.square(seen - wanted).sum() / np.square(BURST).sum())
+    np.testing.assert_allclose(found.nmse_db[TARGET], error_db, atol=0.05)
+    assert error_db < -15.0
+
+
+def test_the_event_lies_in_the_middle_behind_the_delay_of_the_responses(limb):
+    found = ss.inverse.reproduce(limb, {TARGET: BURST}, **FEW)
+    assert round(found.delay_s * 1300.0, 9) == 67 + (104 - 65) // 2
+    assert found.waveforms.shape == (20, 104)
+
+
+def test_wanted_waveforms_add_up_and_scale(limb):
+    other = {28: 0.5 * BURST[::-1]}
+    drives = {
+        name: ss.inverse.reproduce(limb, wanted, **FEW).waveforms
+        for name, wanted in {
+            "both": {TARGET: BURST} | other,
+            "one": {TARGET: BURST, 28: 0.0 * BURST},
+            "other": {TARGET: 0.0 * BURST} | other,
+            "twice": {TARGET: 2.0 * BURST, 28: BURST[::-1]},
+        }.items()
+    }
+    size = np.abs(drives["both"]).max()
+    np.testing.assert_allclose(drives["both"], drives["one"] + drives["other"], atol=1e-6 * size)
+    np.testing.assert_allclose(drives["twice"], 2.0 * drives["both"], atol=1e-6 * size)
+
+
+def test_silence_needs_no_drive(limb):
+    found = ss.inverse.reproduce(limb, {TARGET: np.zeros(50)}, **FEW)
+    assert not found.waveforms.any()
+    assert np.isnan(found.nmse_db[TARGET])
+
+
+def test_the_field_of_known_drives_returns_them(limb):
+    rng = np.random.default_rng(4)
+    known = np.zeros((20, 200))
+    rate_hz, band_hz = 1300.0, np.fft.rfftfreq(200, 1 / 1300.0)
+    spectra = scipy.fft.rfft(rng.normal(size=(3, 200)))
+    spectra[:, (band_hz < 60.0) | (band_hz > 300.0)] = 0.0
+    known[[6, 11, 12]] = scipy.fft.irfft(spectra) * np.hanning(200)
+    field = ss.predict(limb, known, range(1, 21), scaling="relative")[:42, 2]
+    # What lies before the delay is cut off: there is nothing.
+    first = int(limb.pre_trigger_delay_s * rate_hz)
+    wanted = {output: field[output - 1, first:] for output in range(1, 43)}
+    n_times = field.shape[1] - first
+    found = ss.inverse.reproduce(
+        limb, wanted, quiet=[], inputs=[7, 12, 13], length_s=n_times / rate_hz, beta=1e-6
+    )
+    error = found.waveforms[:, :200] - known
+    assert np.square(error).sum() < 1e-4 * np.square(known).sum()
+
+
+def test_a_peak_is_kept(limb):
+    free = ss.inverse.reproduce(limb, {TARGET: BURST}, quiet=[9])
+    peak = 0.5 * np.abs(free.waveforms).max()
+    found = ss.inverse.reproduce(limb, {TARGET: BURST}, quiet=[9], peak=peak)
+    assert np.abs(found.waveforms).max() == peak
+    assert found.nmse_db[TARGET] > free.nmse_db[TARGET]
+
+
+def test_three_axes_are_wanted_along_the_one_of_most_energy(limb):
+    found = ss.inverse.reproduce(limb, {TARGET: BURST}, axes="xyz", quiet=[9])
+    taps = limb.impulse_responses[5:, TARGET - 1]
+    direction = np.linalg.eigh(np.einsum("iat,ibt->ab", taps, taps)).eigenvectors[:, -1]
+    along = np.abs(direction @ np.array([response(limb, found, TARGET, axis) for axis in range(3)]))
+    np.testing.assert_allclose(along.max(), 1.0, rtol=0.2)
+    assert found.nmse_db[TARGET] < -10.0
+
+
+def test_a_design_plays_the_drives_25_ms_later(limb):
+    found = ss.inverse.reproduce(limb, {TARGET: BURST}, quiet=[9])
+    design = found.design()
+    assert design.scaling == "probe"
+    drives = [track.clips[0].waveform.samples.values for track in design.inputs]
+    places = [track.location for track in design.inputs]
+    seen = ss.predict(limb, drives, places)[TARGET - 1, 2]
+    meant = response(limb, found, TARGET)
+    np.testing.assert_allclose(seen[32 : 32 + meant.size], meant, atol=2e-3 * np.abs(meant).max())
+
+
+def test_a_move_has_its_energy_where_it_should_be(limb):
+    moved = ss.inverse.move(limb, [33, 30, 28], 0.2, 100.0)
+    length_mm = np.hypot(*(limb.output_positions_mm[27] - limb.output_positions_mm[32]))
+    assert moved.centroid_error_mm < 0.2 * length_mm
+    back = ss.inverse.move(limb, [28, 30, 33], 0.2, 100.0)
+    assert not np.allclose(back.waveforms, moved.waveforms)
+
+
+@pytest.mark.parametrize(
+    ("changes", "match"),
+    [
+        ({"wanted": {}}, "wanted names no output"),
+        ({"wanted": {TARGET: np.ones(500)}}, "Make length_s longer"),
+        ({"wanted": {TARGET: []}}, r"shape \(0,\)"),
+        ({"wanted": {TARGET: [np.nan]}}, "finite"),
+        ({"quiet": [TARGET]}, "strong and quiet"),
+        ({"peak": 0.0}, "peak is 0"),
+        ({"beta": -1.0}, "beta is -1"),
+    ],
+)
+def test_what_cannot_be_reproduced_is_refused(limb, changes, match):
+    with pytest.raises(InvalidInputError, match=match):
+        ss.inverse.reproduce(limb, **{"wanted": {TARGET: BURST}, **changes})
+
+
+@pytest.mark.parametrize("path", [[30], [30, 28, 30], [30, 61], [30, 73]])
+def test_what_is_no_path_is_refused(limb, path):
+    with pytest.raises(InvalidInputError, match="path is"):
+        ss.inverse.move(limb, path, 0.2, 100.0)
