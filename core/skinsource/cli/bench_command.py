@@ -16,7 +16,10 @@ from skinsource.base.files import make_folder, write_bytes
 from skinsource.base.job import Progress
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
+from skinsource.limbs.dataset.store import is_installed
 from skinsource.limbs.own_limbs import facts_of
+from skinsource.people.ranges import MEANING as RANGE
+from skinsource.people.trials import held_text, range_held
 from skinsource.studies.accuracy.cases import cases_of
 from skinsource.studies.accuracy.measuring import (
     MEANING,
@@ -80,9 +83,15 @@ def _bench(arguments: argparse.Namespace) -> None:
             raise
         _write(folder, rows, arguments.limb, "It was stopped before the end.")
         raise Stopped(f"stopped. The results so far are in {folder}") from None
-    _write(folder, rows, arguments.limb)
-    sys.stdout.write(f"{table_text(rows)}\n{MEANING}\n")
+    between = _between_people()
+    _write(folder, rows, arguments.limb, *between)
+    sys.stdout.write("\n".join((table_text(rows), MEANING, *between, "")))
     write_plots(rows, folder / _NAME)
+
+
+def _between_people() -> tuple[str, ...]:
+    """Return what the range between people held; nothing without the measured limbs."""
+    return (f"{RANGE}\n\n{held_text(range_held())}",) if is_installed() else ()
 
 
 def _write(folder: Path, rows: Sequence[Row], limb: str, *remarks: str) -> None:

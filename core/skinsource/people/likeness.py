@@ -60,8 +60,13 @@ def likeliest_place(
     row_db = band_levels_db(partial.limb, partial.inputs)[:, output - 1]
     candidates = np.array(sorted({*hand_outputs(people[0]), output}))
     unlike = unlikeness(row_db[:, None], theirs_db[:, :, candidates - 1])[0]
-    claimed, best = unlike[candidates == output][0], unlike.argmin()
-    return int(candidates[best]) if claimed - unlike[best] > _MARGIN else output
+    return int(candidates[probably_on(unlike, int(np.searchsorted(candidates, output)))])
+
+
+def probably_on(unlike: Floats, claimed: int) -> int:
+    """Return the output that a row is of, from 0: the claimed one unless another is clearly it."""
+    best = int(unlike.argmin())
+    return best if unlike[claimed] - unlike[best] > _MARGIN else claimed
 
 
 def unlikeness(rows_db: Floats, theirs_db: Floats) -> Floats:
