@@ -13,8 +13,14 @@ import numpy as np
 
 from skinsource.base.conventions import Complexes, Floats, Integers
 from skinsource.base.files import write_bytes
-from skinsource.inverse.focusing import energy_of, gram_of, loaded, target_row
-from skinsource.inverse.responses import HAND_OUTPUTS, Responses, bins_hz, responses_of
+from skinsource.inverse.focusing import energy_of, loaded, target_row
+from skinsource.inverse.responses import (
+    HAND_OUTPUTS,
+    Responses,
+    bins_hz,
+    gram_of,
+    responses_of,
+)
 from skinsource.limbs.limb import Limb
 from skinsource.people.carrying import carried, far_apart
 from skinsource.people.likeness import probably_on, unlikeness

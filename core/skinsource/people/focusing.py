@@ -10,16 +10,8 @@ from numpy.typing import ArrayLike
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import Axes, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.focusing import (
-    Focus,
-    energy_of,
-    gram_of,
-    loaded,
-    power_db,
-    quiet_of,
-    target_row,
-)
-from skinsource.inverse.responses import responses_of
+from skinsource.inverse.focusing import Focus, energy_of, loaded, quiet_of, target_row
+from skinsource.inverse.responses import gram_of, power_db, responses_of
 from skinsource.limbs.limb import Limb
 from skinsource.people.others import check_same_places, people_of
 from skinsource.people.partial_limb import PartialLimb

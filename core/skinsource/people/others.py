@@ -9,8 +9,7 @@ import scipy
 
 from skinsource.base.conventions import LIMB_NAMES, Band, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.focusing import power_db
-from skinsource.inverse.responses import HAND_OUTPUTS, n_fft_of, responses_of
+from skinsource.inverse.responses import HAND_OUTPUTS, n_fft_of, power_db, responses_of
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import PUBLISHED, Limb
 
@@ -55,7 +54,7 @@ def check_same_places(limb: Limb, other: Limb) -> None:
     if _layout(limb) != _layout(other):
         raise InvalidInputError(
             f"{limb.name} and {other.name} differ in their places, axes, sample rates or drives. "
-            "Compare limbs that were measured alike."
+            "Choose limbs that were measured alike."
         )
 
 
