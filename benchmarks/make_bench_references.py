@@ -1,7 +1,8 @@
 """Exact values of the cases of ``skinsource bench`` with mpmath: ``data/bench-references.npz``.
 
-Convolutions are sums of products, resampled signals their formula, and actuators the exponential
-of their equations in ``tests/references/check.py``: no engine of the library is involved.
+Convolutions are sums of products, resampled signals their formula, actuators the exponential of
+their equations in ``tests/references/check.py``, and wanted drives the solution of their normal
+equations: no engine of the library is involved.
 
     PYTHONPATH=core:. python benchmarks/make_bench_references.py
 
@@ -23,6 +24,7 @@ from skinsource.studies.accuracy.cases import (
     TONES_HZ,
     Case,
     Convolution,
+    Inversion,
     Resampling,
     cases_without_reference,
 )
@@ -51,6 +53,17 @@ def resampled(problem: Resampling, samples: np.ndarray) -> np.ndarray:
     return np.array([[float(a * b) for a, b in zip(bells, tones, strict=True)]])
 
 
+def inverted(problem: Inversion) -> np.ndarray:
+    """The solution of the normal equations."""
+    matrix = [[mpf(value) for value in column] for column in problem.convolution.T.tolist()]
+    wanted = [mpf(value) for value in problem.wanted.ravel().tolist()]
+    normal = mp.matrix([[mp.fdot(one, other) for other in matrix] for one in matrix])
+    for k in range(normal.rows):
+        normal[k, k] += mpf(problem.load)
+    drives = mp.lu_solve(normal, mp.matrix([mp.fdot(column, wanted) for column in matrix]))
+    return np.array([float(value) for value in drives]).reshape(-1, problem.n_times)
+
+
 def reference_of(case: Case) -> np.ndarray:
     """Exact values, (n_rows, n_samples), rounded once."""
     problem = case.problem
@@ -58,6 +71,8 @@ def reference_of(case: Case) -> np.ndarray:
         return convolved(problem, case.samples)
     if isinstance(problem, Resampling):
         return resampled(problem, case.samples)
+    if isinstance(problem, Inversion):
+        return inverted(problem)
     coil = {"kind": "VoiceCoil", **asdict(problem.coil)}
     return np.array(motion(coil, problem.voltage, "zero"))[:, case.samples]
 

@@ -14,6 +14,7 @@ from skinsource.studies.accuracy import cases as cases_module
 from skinsource.studies.accuracy.cases import (
     Actuation,
     Convolution,
+    Inversion,
     Resampling,
     cases_of,
     stored_cases,
@@ -27,6 +28,7 @@ MOST = {
     Convolution: 1e-14,
     Resampling: 10.0 ** (-115 / 20),
     Actuation: 1e-13,
+    Inversion: 1e-7,
     "burst at -120 dB": 1e-9,
     "offset of 1e8": 1e-6,
     "peak of 1e-310": 1e-12,

@@ -42,9 +42,9 @@ def add_to(subparsers: Any) -> None:
         "bench",
         help="measure error against run time on this machine",
         description="Measures how far this program, SciPy and direct sums are from exact values, "
-        f"and how long they take, in convolutions, resampling and actuators. Writes {_NAME}.csv, "
-        f"{_NAME}.svg, {_NAME}.png and report.md. If it is stopped early (Ctrl+C), table and "
-        "report hold what was measured so far.",
+        "and how long they take, in convolutions, resampling, actuators and wanted drives. Writes "
+        f"{_NAME}.csv, {_NAME}.svg, {_NAME}.png and report.md. If it is stopped early (Ctrl+C), "
+        "table and report hold what was measured so far.",
     )
     bench.add_argument("--quick", action="store_true", help="fewer cases, fewer runs of each")
     where = "where to write (default: %(default)s)"

@@ -177,11 +177,13 @@ def bins_hz(limb: Limb | LimbFacts, band_hz: Band) -> Floats:
 def _checked_frequencies(frequencies_hz: ArrayLike, band: Band) -> Floats:
     at_hz = np.atleast_1d(finite_array("frequencies_hz", frequencies_hz, "frequencies in Hz"))
     if at_hz.ndim != 1 or not at_hz.size or (np.diff(at_hz) <= 0.0).any():
-        raise InvalidInputError("frequencies_hz has to be rising, (n_bins,). Sort them.")
+        raise InvalidInputError(
+            "frequencies_hz does not rise, expected (n_bins,). Sort the frequencies."
+        )
     if at_hz[0] < band[0] or at_hz[-1] > band[1]:
         raise InvalidInputError(
             f"frequencies_hz reach from {at_hz[0]:g} to {at_hz[-1]:g} Hz, but responses were "
-            f"measured from {band[0]:g} to {band[1]:g} Hz. Stay within."
+            f"measured from {band[0]:g} to {band[1]:g} Hz. Choose frequencies within."
         )
     return at_hz
 

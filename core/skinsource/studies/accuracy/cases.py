@@ -11,6 +11,7 @@ from typing import Any, cast
 from zipfile import BadZipFile
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from skinsource.actuators.models import VoiceCoil
@@ -86,7 +87,43 @@ class Actuation:
     sample_rate_hz: float
 
 
-Problem = Convolution | Resampling | Actuation
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Inversion:
+    """Waveforms that are wanted on the skin; the solution is the drives, (n_inputs, n_times).
+
+    Its drives x are the least of |H x - wanted|² + load |x|².
+
+    Attributes
+    ----------
+    taps : (n_rows, n_inputs, n_taps)
+        Responses, of which H is the convolution.
+    wanted : (n_rows, n_times + n_taps - 1)
+        Waveforms.
+    load
+        What drives cost.
+    """
+
+    taps: Floats
+    wanted: Floats
+    load: float
+
+    @property
+    def n_times(self) -> int:
+        """Length of the drives."""
+        return self.wanted.shape[1] - self.taps.shape[2] + 1
+
+    @property
+    def convolution(self) -> Floats:
+        """H as a matrix, (n_rows · n_wanted, n_inputs · n_times)."""
+        return np.block(
+            [
+                [scipy.linalg.convolution_matrix(taps, self.n_times) for taps in row]
+                for row in self.taps
+            ]
+        )
+
+
+Problem = Convolution | Resampling | Actuation | Inversion
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -135,7 +172,8 @@ def stored_cases() -> tuple[Case, ...]:
 
 def cases_without_reference() -> tuple[Case, ...]:
     """Return all cases on the synthetic limb, without reference."""
-    return (*convolutions(synthetic_limb()), *_resamplings(), *_actuations())
+    limb = synthetic_limb()
+    return (*convolutions(limb), *_resamplings(), *_actuations(), *_inversions(limb))
 
 
 def convolutions(limb: Limb) -> tuple[Case, ...]:
@@ -254,6 +292,22 @@ def _actuations() -> tuple[Case, ...]:
             samples=np.linspace(0, voltage.size - 1, 2 * _N_SAMPLES_CHECKED).astype(int),
         )
         for name, coil in coils.items()
+    )
+
+
+def _inversions(limb: Limb) -> tuple[Case, ...]:
+    n_times, n_taps, outputs, places = 50, 100, slice(4), (1, 2, 3)
+    taps = np.stack([limb.response_to(place)[outputs, 0, :n_taps] for place in places], axis=1)
+    wanted = np.zeros((len(taps), n_times + n_taps - 1))
+    # At one output; the others are to be still.
+    wanted[0, n_times : 2 * n_times] = noise(1, n_times)
+    return tuple(
+        Case(
+            name=name,
+            problem=Inversion(taps=taps, wanted=wanted, load=load),
+            samples=np.arange(n_times),
+        )
+        for name, load in (("3 wanted drives", 0.5), ("3 drives, hardly a load", 2.0**-16))
     )
 
 

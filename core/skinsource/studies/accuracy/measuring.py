@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import scipy
 
-from skinsource.base.conventions import Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import csv_text
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import write_bytes
@@ -24,9 +24,17 @@ from skinsource.engine.graph import Graph
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.plot import COLOURS, style
+from skinsource.inverse.drives_in_time import Cost
+from skinsource.inverse.responses import gram_of
 from skinsource.signals.resampling import resample
 from skinsource.specs.samples import Samples
-from skinsource.studies.accuracy.cases import Actuation, Case, Convolution, Resampling
+from skinsource.studies.accuracy.cases import (
+    Actuation,
+    Case,
+    Convolution,
+    Inversion,
+    Resampling,
+)
 
 #: Computes a case, (n_rows, n_times), after all preparation.
 Run = Callable[[], Floats]
@@ -157,6 +165,35 @@ def _lsim(problem: Actuation) -> Run:
     return lambda: scipy.signal.lsim(system, problem.voltage, time_s, interp=False)[1].T
 
 
+def _cost_of(problem: Inversion) -> tuple[Cost, Complexes]:
+    n_fft = problem.wanted.shape[1]
+    rows = np.moveaxis(scipy.fft.rfft(problem.taps, n_fft), 2, 0)
+    normal = gram_of(rows) + problem.load * np.eye(rows.shape[-1])
+    b = np.einsum("fri,rf->fi", rows.conj(), scipy.fft.rfft(problem.wanted))
+    return Cost(normal=normal, n_fft=n_fft, n_times=problem.n_times), b
+
+
+def _exact_drives(problem: Inversion) -> Run:
+    cost, b = _cost_of(problem)
+    return lambda: cost.exact(b)
+
+
+def _drives_bin_by_bin(problem: Inversion) -> Run:
+    cost, b = _cost_of(problem)
+    return lambda: cost.fast(b)
+
+
+def _drives_of_matrix(problem: Inversion) -> Run:
+    matrix = problem.convolution
+    b = matrix.T @ problem.wanted.ravel()
+
+    def run() -> Floats:
+        normal = matrix.T @ matrix + problem.load * np.eye(b.size)
+        return scipy.linalg.solve(normal, b, assume_a="pos").reshape(-1, problem.n_times)
+
+    return run
+
+
 WAYS = (
     Way(name="SkinSource predict", kind=Convolution, prepare=_predict),
     Way(name="SkinSource, opened", kind=Convolution, prepare=partial(_studio, edited=False)),
@@ -168,6 +205,9 @@ WAYS = (
     Way(name="SciPy resample", kind=Resampling, prepare=_resample_fourier),
     Way(name="SkinSource simulate", kind=Actuation, prepare=_simulate),
     Way(name="SciPy lsim", kind=Actuation, prepare=_lsim),
+    Way(name="SkinSource reproduce", kind=Inversion, prepare=_exact_drives),
+    Way(name="bin by bin, cut", kind=Inversion, prepare=_drives_bin_by_bin),
+    Way(name="SciPy solve", kind=Inversion, prepare=_drives_of_matrix),
 )
 
 
