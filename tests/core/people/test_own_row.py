@@ -84,7 +84,7 @@ def test_inputs_that_were_not_measured_are_left_out_or_refused(own):
 
 
 def test_shorter_responses_are_compared_at_the_same_frequencies(own):
-    short = replace(own, responses=own.responses[..., :400])
+    short = replace(own, responses=own.responses[..., :200])
     found = ss.people.focus(short, 9, others=NAMES)
     assert found.frequencies_hz.size == 296
 
@@ -138,3 +138,12 @@ def test_a_sensor_on_another_digit_is_found_nearby():
 def test_one_other_person_does_not_tell_where_a_sensor_was(own):
     with pytest.raises(InvalidInputError, match="expected 2 people or more"):
         ss.people.likeliest_place(own, 9, NAMES[:1])
+
+
+def test_a_focus_from_one_row_plays_as_loud_on_the_person_as_asked(own):
+    found = ss.people.focus(own, 9, others=NAMES)
+    design = found.design(ss.waveforms.Tone(frequency_hz=100.0), level=0.1)
+    view = ss.View(axes="z", span="loudest")
+    levels_db = ss.evaluate(design, "output_levels_db", view=view)["output_levels_db"]
+    assert design.limb == "synthetic-4"
+    assert levels_db[8] == pytest.approx(-20.0, abs=0.1)

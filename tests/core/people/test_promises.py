@@ -72,6 +72,7 @@ def test_a_sensor_on_the_wrong_place_is_doubted_far_more_often_than_on_the_right
 ):
     alarms, hits = places_trial(octaves_db, neighbours(people[0]))
     assert alarms.mean() <= 0.055
+    assert hits.mean() >= 0.5
     assert (hits.sum(axis=1) > 5 * alarms.sum(axis=1)).all()
 
 
