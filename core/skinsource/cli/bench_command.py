@@ -84,7 +84,7 @@ def _bench(arguments: argparse.Namespace) -> None:
         _write(folder, rows, arguments.limb, "It was stopped before the end.")
         raise Stopped(f"stopped. The results so far are in {folder}") from None
     between = _between_people()
-    _write(folder, rows, arguments.limb, *between)
+    _write(folder, rows, arguments.limb, after=between)
     sys.stdout.write("\n".join((table_text(rows), MEANING, *between, "")))
     write_plots(rows, folder / _NAME)
 
@@ -94,7 +94,9 @@ def _between_people() -> tuple[str, ...]:
     return (f"{RANGE}\n\n{held_text(range_held())}",) if is_installed() else ()
 
 
-def _write(folder: Path, rows: Sequence[Row], limb: str, *remarks: str) -> None:
+def _write(
+    folder: Path, rows: Sequence[Row], limb: str, *remarks: str, after: Sequence[str] = ()
+) -> None:
     digest = facts_of(limb).digest if limb else ""
     where = f"limb {limb}" if limb else "synthetic responses"
     where += f", SHA-256 {digest}" if digest else ""
@@ -102,7 +104,7 @@ def _write(folder: Path, rows: Sequence[Row], limb: str, *remarks: str) -> None:
         f"SkinSource studio {__version__}, Python {platform.python_version()}, NumPy "
         f"{np.__version__}, SciPy {scipy.__version__}, {platform.platform()}; {where}."
     )
-    parts = ("# Error against run time", machine, *remarks, MEANING, table_text(rows))
+    parts = ("# Error against run time", machine, *remarks, MEANING, table_text(rows), *after)
     write_bytes(folder / "report.md", "\n\n".join(parts).encode())
     write_bytes(folder / f"{_NAME}.csv", table_csv(rows).encode())
 

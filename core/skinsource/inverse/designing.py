@@ -18,6 +18,7 @@ from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.scaling import pulse_spectrum
 from skinsource.signals.generators import window
 from skinsource.signals.loudest_window import loudest_energy, window_samples
+from skinsource.signals.spectra import share_outside_band
 
 if TYPE_CHECKING:  # it makes designs
     from skinsource.inverse.focusing import Focus
@@ -28,6 +29,8 @@ SPECTRA: tuple[Spectrum, ...] = get_args(Spectrum)
 DRIVEN_HZ: Band = (50.0, 300.0)
 # Frequencies at which nothing is driven any more, in parts of the band's ends.
 _RAMP = (0.8, 1.1)
+# Share of the energy of a waveform within the band that suffices for a level.
+_LEAST_INSIDE = 1e-3
 
 
 def delay_of(limb: LimbFacts) -> float:
@@ -61,9 +64,16 @@ def designed(
     drives = scipy.signal.oaconvolve(wave[None], filters, axes=1)
     if level is not None:
         wanted = positive_number("level", level)
+        inside = 1.0 - share_outside_band(wave, limb.sample_rate_hz, band_hz)
+        if not wave.any() or inside < _LEAST_INSIDE:
+            low, high = band_hz
+            raise InvalidInputError(
+                f"The waveform has nothing within {low:g} to {high:g} Hz and cannot reach a level. "
+                "Choose another waveform, or another band_hz."
+            )
         drives = drives * (wanted / _rms_at_target(limb, drives, row))
     if peak is not None and np.abs(drives).max() > positive_number("peak", peak):
-        cost = _cost(focus, pulse, _band(at_hz, band_hz), drives.shape[1])
+        cost = cost_of(focus, pulse, _band(at_hz, band_hz), drives.shape[1])
         drives = cost.within(peak, cost.applied(drives), drives)
     name = f"Focus on output {focus.target} of {limb.name}"
     return played(limb, focus.inputs, drives, name)
@@ -108,15 +118,10 @@ def _rms_at_target(limb: LimbFacts, drives: Floats, row: Complexes) -> float:
     taps = scipy.fft.fftshift(scipy.fft.irfft(row, n_fft_of(limb.n_taps), axis=0), axes=0).T
     signal = scipy.signal.oaconvolve(drives, taps, axes=1).sum(axis=0)
     n_window = window_samples(limb.sample_rate_hz)
-    rms = float(np.sqrt(loudest_energy(signal, n_window) / n_window))
-    if rms == 0.0:
-        raise InvalidInputError(
-            "The waveform is silent and cannot reach a level. Choose another waveform."
-        )
-    return rms
+    return float(np.sqrt(loudest_energy(signal, n_window) / n_window))
 
 
-def _cost(focus: Focus, pulse: Floats, shape: Floats, n_times: int) -> Cost:
+def cost_of(focus: Focus, pulse: Floats, shape: Floats, n_times: int) -> Cost:
     """Return the cost whose least is the focus itself, for drives of ``n_times`` samples."""
     limb, n_used = focus.limb, len(focus.inputs)
     beta, unit = np.where(np.isinf(focus.beta), 1.0, focus.beta), loading(focus.gram)

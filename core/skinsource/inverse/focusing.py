@@ -141,7 +141,8 @@ class Focus:
         waveform
             What the target does, m/s².
         level
-            RMS of the target over its loudest 100 ms, m/s²; None: as of the waveform.
+            RMS of the target along its direction, over its loudest 100 ms, m/s²; None: as of the
+            waveform.
         spectrum
             ``"as drawn"``, or ``"natural"``: times the energy of the responses, at most 1, so that
             little is spent where the skin answers little.

@@ -173,8 +173,7 @@ def reproduce(
     error = scipy.fft.irfft(reached, n_fft) - delayed
     waveforms = np.zeros((limb.n_inputs, n_times))
     waveforms[np.array(within.inputs) - 1] = drives
-    with np.errstate(invalid="ignore"):
-        nmse_db = power_db(np.square(error).sum(axis=1), np.square(delayed).sum(axis=1))
+    nmse_db = power_db(np.square(error).sum(axis=1), np.square(delayed).sum(axis=1))
     return Reproduction(
         limb=within.limb,
         waveforms=waveforms,

@@ -65,9 +65,7 @@ class Responses:
         """Level of each output's responses above their noise, (n_outputs,); may be infinite."""
         energy = np.mean(np.square(np.abs(self.values)).sum(axis=2), axis=(0, 2))
         noise = np.zeros_like(energy) if self.noise_energy is None else self.noise_energy
-        with np.errstate(divide="ignore", invalid="ignore"):
-            level_db = 10.0 * np.log10(energy / noise)
-        return np.where(energy > 0.0, level_db, -np.inf)
+        return np.where(energy > 0.0, power_db(energy, noise), -np.inf)
 
     @cached_property
     def others(self) -> tuple[int, ...]:
@@ -221,8 +219,8 @@ def gram_of(rows: Complexes) -> Complexes:
 
 
 def power_db(energy: Floats, reference: Floats) -> Floats:
-    """Return 10 log10(energy / reference); infinite where the reference alone is 0."""
-    with np.errstate(divide="ignore"):
+    """Return 10 log10(energy / reference); NaN where both are 0."""
+    with np.errstate(divide="ignore", invalid="ignore"):
         return 10.0 * (np.log10(energy) - np.log10(reference))
 
 

@@ -8,6 +8,9 @@ import scipy
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
+from skinsource.inverse.designing import cost_of
+from skinsource.inverse.responses import bins_of, loading
+from skinsource.limbs.scaling import pulse_spectrum
 
 TARGET = 30
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2, window="hanning")
@@ -108,6 +111,25 @@ def test_the_free_drives_are_the_least_of_the_cost_within_a_peak(focus):
     np.testing.assert_allclose(tight, free, atol=0.02 * np.abs(free).max())
 
 
+def test_the_cost_within_a_peak_is_energy_at_target_and_quiet_outputs_and_of_drives(limb, focus):
+    rng = np.random.default_rng(3)
+    tone = ss.sinusoid(100.0, 0.5, window_name="hanning")
+    drives = rng.normal(size=(15, 1)) * tone
+    at_hz = bins_of(1024, 1300.0)
+    pulse = pulse_spectrum(at_hz, 1300.0)
+    cost = cost_of(focus, pulse, np.ones(513), tone.size)
+    seen = ss.predict(limb, drives, range(6, 21))[:42, 2]
+    energy = np.square(seen).sum(axis=1)
+    at = np.abs(focus.frequencies_hz - 100.0).argmin()
+    unit = loading(focus.gram)[at]
+    quiet = np.delete(energy, TARGET - 1).sum()
+    target = 15.0 * unit / np.linalg.norm(focus.row[at]) ** 2 * energy[TARGET - 1]
+    own = 0.3 * unit * np.square(drives).sum() / pulse_spectrum(np.array(100.0), 1300.0) ** 2
+    reached = np.vdot(drives, cost.applied(drives))
+    np.testing.assert_allclose(reached, quiet + target + own, rtol=0.02)
+    assert min(quiet, target, own) > 0.05 * reached
+
+
 @pytest.mark.parametrize("way", [ss.inverse.time_reversal, ss.inverse.best_single])
 def test_baselines_have_designs_within_a_peak_too(limb, way):
     found = way(limb, TARGET)
@@ -137,7 +159,8 @@ def test_inputs_that_are_not_in_use_have_no_track(limb):
         ({"peak": -1.0}, "peak is -1"),
         ({"spectrum": "flat"}, "spectrum 'flat' is not known"),
         ({"band_hz": (300.0, 50.0)}, "two rising frequencies"),
-        ({"waveform": ss.waveforms.Formula(text="0 * t"), "level": 1.0}, "silent"),
+        ({"waveform": ss.waveforms.Formula(text="0 * t"), "level": 1.0}, "nothing within 50 to"),
+        ({"waveform": replace(TONE, frequency_hz=500.0), "level": 1.0}, "nothing within 50 to"),
     ],
 )
 def test_what_cannot_be_designed_is_refused(focus, changes, match):

@@ -159,6 +159,26 @@ def test_stronger_responses_need_less_drive(rows):
     np.testing.assert_allclose(1e3 * louder, drives, rtol=1e-10)
 
 
+def test_the_phase_of_the_target_is_that_of_the_drives(rows):
+    row, gram = rows[0], gram_of(rows[1])
+    drives, _ = ss.inverse.loaded(row, gram)
+    turned, _ = ss.inverse.loaded(1j * row, gram)
+    np.testing.assert_allclose(1j * turned, drives, rtol=1e-10)
+
+
+def test_gains_of_inputs_leave_the_field_only_where_drives_cost_nothing(rows):
+    gains = np.linspace(0.3, 3.0, 15)
+
+    def change(beta):
+        row, gram = rows[0], gram_of(rows[1])
+        drives, _ = ss.inverse.loaded(row, gram, beta=beta)
+        other, _ = ss.inverse.loaded(row * gains, gram * gains * gains[:, None], beta=beta)
+        return np.abs(gains * other - drives).max() / np.abs(drives).max()
+
+    assert change(1e-6) < 0.05
+    assert change(0.3) > 0.2
+
+
 def test_inputs_in_another_order_get_the_same_drives(limb):
     places = [9, 17, 6, 20]
     one = ss.inverse.focus(limb, TARGET, inputs=places, frequencies_hz=AT_HZ)

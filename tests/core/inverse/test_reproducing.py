@@ -1,5 +1,7 @@
 """Wanted waveforms: the least of the cost, exact and fast, within a peak; movements."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import scipy
@@ -54,6 +56,21 @@ def test_the_exact_drives_are_those_of_the_dense_matrix(problem):
 def test_the_fast_drives_cost_little_more(problem):
     cost, b, least, dense = problem
     assert cost_of(least, *dense) <= cost_of(cost.fast(b), *dense) < 1.1 * cost_of(least, *dense)
+
+
+def test_the_least_cost_is_what_is_wanted_less_what_is_reached(problem):
+    cost, b, least, dense = problem
+    expected = np.square(dense[1]).sum() - np.vdot(cost.cut(b), least)
+    np.testing.assert_allclose(cost_of(least, *dense), expected, rtol=1e-10)
+
+
+def test_what_is_wanted_later_is_driven_later(problem):
+    cost, b, *_ = problem
+    whole = replace(cost, n_times=cost.n_fft)
+    turn = np.exp(-2j * np.pi * np.arange(len(b)) * 7 / cost.n_fft)
+    np.testing.assert_allclose(
+        whole.fast(b * turn[:, None]), np.roll(whole.fast(b), 7, axis=1), atol=1e-12
+    )
 
 
 def test_a_loose_peak_changes_nothing(problem):
