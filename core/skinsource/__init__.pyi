@@ -1,5 +1,6 @@
 from . import actuators as actuators
 from . import inverse as inverse
+from . import people as people
 from . import perception as perception
 from .actuators import equalising as equalising
 from .actuators import measuring as measuring

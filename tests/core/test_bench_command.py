@@ -98,3 +98,13 @@ def test_what_cannot_be_done_is_told_before_the_work(
     assert main(["bench", *arguments]) == 1
     assert message in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+def test_it_says_what_the_range_between_people_held_where_they_are_installed(
+    tmp_path, measured, monkeypatch, capsys
+):
+    monkeypatch.setattr(bench_command, "write_plots", lambda rows, stem: None)
+    assert main(["bench", "--quick", "--out", str(tmp_path)]) == 0
+    for text in (capsys.readouterr().out, (tmp_path / "report.md").read_text(encoding="utf-8")):
+        assert "range between people: predicted from three" in text
+        assert "| tone of 100 Hz |" in text

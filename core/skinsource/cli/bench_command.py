@@ -16,7 +16,10 @@ from skinsource.base.files import make_folder, write_bytes
 from skinsource.base.job import Progress
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
+from skinsource.limbs.dataset.store import is_installed
 from skinsource.limbs.own_limbs import facts_of
+from skinsource.people.ranges import MEANING as RANGE
+from skinsource.people.trials import held_text, range_held
 from skinsource.studies.accuracy.cases import cases_of
 from skinsource.studies.accuracy.measuring import (
     MEANING,
@@ -80,12 +83,20 @@ def _bench(arguments: argparse.Namespace) -> None:
             raise
         _write(folder, rows, arguments.limb, "It was stopped before the end.")
         raise Stopped(f"stopped. The results so far are in {folder}") from None
-    _write(folder, rows, arguments.limb)
-    sys.stdout.write(f"{table_text(rows)}\n{MEANING}\n")
+    between = _between_people()
+    _write(folder, rows, arguments.limb, after=between)
+    sys.stdout.write("\n".join((table_text(rows), MEANING, *between, "")))
     write_plots(rows, folder / _NAME)
 
 
-def _write(folder: Path, rows: Sequence[Row], limb: str, *remarks: str) -> None:
+def _between_people() -> tuple[str, ...]:
+    """Return what the range between people held; nothing without the measured limbs."""
+    return (f"{RANGE}\n\n{held_text(range_held())}",) if is_installed() else ()
+
+
+def _write(
+    folder: Path, rows: Sequence[Row], limb: str, *remarks: str, after: Sequence[str] = ()
+) -> None:
     digest = facts_of(limb).digest if limb else ""
     where = f"limb {limb}" if limb else "synthetic responses"
     where += f", SHA-256 {digest}" if digest else ""
@@ -93,7 +104,7 @@ def _write(folder: Path, rows: Sequence[Row], limb: str, *remarks: str) -> None:
         f"SkinSource studio {__version__}, Python {platform.python_version()}, NumPy "
         f"{np.__version__}, SciPy {scipy.__version__}, {platform.platform()}; {where}."
     )
-    parts = ("# Error against run time", machine, *remarks, MEANING, table_text(rows))
+    parts = ("# Error against run time", machine, *remarks, MEANING, table_text(rows), *after)
     write_bytes(folder / "report.md", "\n\n".join(parts).encode())
     write_bytes(folder / f"{_NAME}.csv", table_csv(rows).encode())
 

@@ -86,10 +86,10 @@ def _is_limb_file(path: Path) -> bool:
         It says what only limbs do, but not that it is one: as an array it would lose the rest.
     """
     with files.File(path, "r", locking=False) as file:
-        if "format" in file.attrs and _text(file, path, "format", "") == FORMAT:
+        if "format" in file.attrs and text_of(file, path, "format", "") == FORMAT:
             return True
         if any(name in file.attrs for name in _ONLY_OF_LIMBS):
-            text = _text(file, path, "format", None)
+            text = text_of(file, path, "format", None)
             raise limb_file_error(path, f"the attribute 'format' is {quoted(text)}", quoted(FORMAT))
         return False
 
@@ -103,24 +103,24 @@ def _header_of(path: Path) -> dict[str, Any]:
         It does not have the layout.
     """
     with files.File(path, "r", locking=False) as file:
-        version = _number(file, path, "format_version", None)
+        version = number_of(file, path, "format_version", None)
         if version != VERSION:
             raise limb_file_error(path, f"format_version is {version:g}", f"{VERSION}")
-        header: dict[str, Any] = {name: _text(file, path, name, TEXTS[name]) for name in TEXTS}
+        header: dict[str, Any] = {name: text_of(file, path, name, TEXTS[name]) for name in TEXTS}
         header["note"] = " ".join(header["note"].split())
-        header |= {name: _number(file, path, name, NUMBERS[name]) for name in NUMBERS}
+        header |= {name: number_of(file, path, name, NUMBERS[name]) for name in NUMBERS}
         header["synthetic"] = bool(header["synthetic"])
         header["per_unit_drive"] = _is(file, path, "answers", "drive", other="pulse")
         header["left"] = not _is(file, path, "hand", "right", other="left")
         header["band_hz"] = _band(file, path)
-        responses = _responses(file, path)
+        responses = responses_in(file, path)
         header["shape"] = [int(n) for n in responses.shape]
         group = files.own_member(file, "map", files.Group)
         if group is None:
             raise limb_file_error(
                 path, "it has no group 'map'", "one with outline, inputs and outputs"
             )
-        header["hand_length_px"] = _number(group, path, "hand_length", header["hand_length_mm"])
+        header["hand_length_px"] = number_of(group, path, "hand_length", header["hand_length_mm"])
         for name, field in POINT_FIELDS.items():
             points = np.asarray(_dataset(group, path, name, 2, _MOST_ROWS)[()], np.float64)
             header[field] = [row.tolist() if np.isfinite(row).all() else None for row in points]
@@ -186,7 +186,8 @@ def _put_header(file: Any, limb: OwnLimb) -> None:
             file.require_group("names").create_dataset(name, data=texts_of, track_times=False)
 
 
-def _responses(file: Any, path: Path) -> Any:
+def responses_in(file: Any, path: Path) -> Any:
+    """Return the dataset of responses, which is not read yet."""
     return _dataset(file, path, "responses", 4, 2**20)
 
 
@@ -204,8 +205,9 @@ def _dataset(group: Any, path: Path, name: str, n_dimensions: int, longest: int)
     return dataset
 
 
-def _text(group: Any, path: Path, name: str, default: str | None) -> str:
-    value = _attribute(group, path, name, default)
+def text_of(group: Any, path: Path, name: str, default: str | None) -> str:
+    """Return an attribute that is a short text; one without a default must be there."""
+    value = attribute_of(group, path, name, default)
     if isinstance(value, bytes):
         value = value.decode("utf-8", "replace")
     if not isinstance(value, str) or len(value) > _LONGEST_TEXT:
@@ -217,7 +219,7 @@ def _text(group: Any, path: Path, name: str, default: str | None) -> str:
 
 def _is(group: Any, path: Path, name: str, usual: str, *, other: str) -> bool:
     """Return whether a text is the usual one, which it is where it is missing."""
-    text = _text(group, path, name, usual)
+    text = text_of(group, path, name, usual)
     if text not in (usual, other):
         raise limb_file_error(
             path, f"the attribute {quoted(name)} is {quoted(text)}", f"{usual} or {other}"
@@ -225,8 +227,9 @@ def _is(group: Any, path: Path, name: str, usual: str, *, other: str) -> bool:
     return text == usual
 
 
-def _number(group: Any, path: Path, name: str, default: float | None) -> float:
-    value = _attribute(group, path, name, default)
+def number_of(group: Any, path: Path, name: str, default: float | None) -> float:
+    """Return an attribute that is a number; one without a default must be there."""
+    value = attribute_of(group, path, name, default)
     array = np.asarray(value)
     if array.size != 1 or array.dtype.kind not in "iufb" or not np.isfinite(array).all():
         raise limb_file_error(
@@ -236,7 +239,7 @@ def _number(group: Any, path: Path, name: str, default: float | None) -> float:
 
 
 def _band(group: Any, path: Path) -> list[float] | None:
-    value = _attribute(group, path, "band_hz", False)
+    value = attribute_of(group, path, "band_hz", False)
     if value is False:
         return None
     array = np.asarray(value)
@@ -247,7 +250,8 @@ def _band(group: Any, path: Path) -> list[float] | None:
     return [float(frequency) for frequency in array]
 
 
-def _attribute(group: Any, path: Path, name: str, default: Any) -> Any:
+def attribute_of(group: Any, path: Path, name: str, default: Any) -> Any:
+    """Return an attribute as Python has it; one without a default must be there."""
     if name not in group.attrs:
         if default is None:
             raise limb_file_error(path, f"it has no attribute {quoted(name)}", "one")
@@ -331,7 +335,7 @@ def response_blocks(path: Path, array: str, order: str) -> Iterator[Floats]:
         yield from _array_blocks(path, array, order)
         return
     with files.File(path, "r", locking=False) as file:
-        responses = _responses(file, path)
+        responses = responses_in(file, path)
         for number in range(responses.shape[0]):
             response = np.asarray(responses[number], np.float64)
             yield response.reshape(-1, response.shape[-1])

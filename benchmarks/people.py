@@ -1,0 +1,293 @@
+"""What is promised about a hand that was not measured: trials that leave each person out in turn.
+
+    python benchmarks/people.py docs/people.md
+
+needs the measured limbs (`skinsource dataset fetch`), and takes about a minute.
+"""
+
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from skinsource.base.conventions import Complexes, Floats, Integers
+from skinsource.base.files import write_bytes
+from skinsource.inverse.focusing import energy_of, loaded, target_row
+from skinsource.inverse.responses import (
+    HAND_OUTPUTS,
+    Responses,
+    bins_hz,
+    gram_of,
+    responses_of,
+)
+from skinsource.limbs.limb import Limb
+from skinsource.people.carrying import carried, far_apart
+from skinsource.people.likeness import probably_on, unlikeness
+from skinsource.people.others import band_levels_db, people_of
+from skinsource.people.ranges import half_width_db
+from skinsource.people.trials import held_text, range_held
+
+N_HAND = len(HAND_OUTPUTS)
+ALL = tuple(range(1, 21))
+#: Of the simulated rig: noise under the row, largest error of gains, and of delays.
+NOISE_DB, GAIN_DB, DELAY_S, SEEDS = 20.0, 3.0, 1e-4, range(10)
+_BAND_HZ, _BINS = (30.0, 300.0), 30
+
+
+def usual_bins_hz(limb: Limb) -> Floats:
+    """Return 30 frequencies from 30 to 300 Hz, (n_bins,)."""
+    at_hz = bins_hz(limb, _BAND_HZ)
+    return at_hz[np.linspace(0, at_hz.size - 1, _BINS).round().astype(int)]
+
+
+def focus_trial(
+    people: Sequence[Limb],
+    *,
+    axes: str = "z",
+    inputs: Sequence[int] = ALL,
+    frequencies_hz: Floats | None = None,
+    placed: Integers | None = None,
+    steady: bool = True,
+) -> dict[str, Floats]:
+    """Return contrasts on the person left out, (n_people, n_targets, n_seeds), in dB.
+
+    Of the person's own row with the others' quiet matrix, and the loudest other output then; of
+    time reversal of that row; of the best single input of the others, and by hindsight.
+
+    Parameters
+    ----------
+    placed : (n_targets,), optional
+        Row of the output that the sensor really was on, from 0, where it is another one.
+    steady
+        Whether the errors of gains and delays were there when the row was measured.
+    """
+    at_hz = usual_bins_hz(people[0]) if frequencies_hz is None else frequencies_hz
+    answers = [responses_of(p, axes=axes, inputs=inputs, frequencies_hz=at_hz) for p in people]
+    everything = np.stack([gram_of(each.rows(HAND_OUTPUTS)) for each in answers])
+    found: dict[str, list[float]] = {name: [] for name in _COLUMNS}
+    for person, own in enumerate(answers):
+        for target in HAND_OUTPUTS:
+            strong = np.stack([gram_of(each.rows([target])) for each in answers])
+            quiet = everything - strong
+            singles_db = _contrast_db(_diagonal(strong), _diagonal(quiet))
+            of_others = np.delete(singles_db, person, axis=0).mean(axis=0).argmax()
+            sensor = target if placed is None else int(placed[target - 1]) + 1
+            known = np.delete(quiet, person, axis=0).mean(axis=0)
+            for row, errors in _measured(own, sensor, steady):
+                weight = np.square(np.abs(row)).sum(axis=1, keepdims=True)
+                mean_db, loudest_db = _seen(own, target, weight * loaded(row, known)[0] * errors)
+                reversed_db, _ = _seen(own, target, row.conj() * errors)
+                singles = singles_db[person, of_others], singles_db[person].max()
+                values = mean_db, loudest_db, reversed_db, *singles
+                for name, value in zip(_COLUMNS, values, strict=True):
+                    found[name].append(value)
+    shape = len(people), N_HAND, len(SEEDS)
+    return {name: np.reshape(values, shape) for name, values in found.items()}
+
+
+_COLUMNS = "own row", "loudest other", "time reversal", "best single", "by hindsight"
+
+
+def _measured(own: Responses, sensor: int, steady: bool) -> Iterator[tuple[Complexes, Complexes]]:
+    """Yield the row as the rig measures it, and the errors with which it then plays, by seed."""
+    row = target_row(own, sensor)
+    size = np.sqrt(np.mean(np.square(np.abs(row))) / 2.0) * 10.0 ** (-NOISE_DB / 20.0)
+    for seed in SEEDS:
+        random = np.random.default_rng(seed)
+        noise = size * (random.normal(size=row.shape) + 1j * random.normal(size=row.shape))
+        gains = 10.0 ** (random.uniform(-GAIN_DB, GAIN_DB, row.shape[1]) / 20.0)
+        delays_s = random.uniform(-DELAY_S, DELAY_S, row.shape[1])
+        errors = gains * np.exp(-2j * np.pi * own.frequencies_hz[:, None] * delays_s)
+        yield row * (errors if steady else 1.0) + noise, errors
+
+
+def _seen(own: Responses, target: int, drives: Complexes) -> tuple[float, float]:
+    """Return the target's energy over the mean of the other outputs, and over the loudest, dB."""
+    energy = energy_of(own, drives)[:, :N_HAND].sum(axis=0)
+    others = np.delete(energy, target - 1)
+    strong = energy[target - 1]
+    return _contrast_db(strong, others.sum()), 10.0 * float(np.log10(strong / others.max()))
+
+
+def _diagonal(grams: Complexes) -> Floats:
+    """Return the energy of each input alone, (n_people, n_used)."""
+    return np.einsum("pfii->pi", grams).real
+
+
+def _contrast_db(strong: Floats, quiet: Floats) -> Floats:
+    return 10.0 * np.log10((N_HAND - 1) * strong / quiet)
+
+
+def octaves_of(people: Sequence[Limb]) -> Floats:
+    """Return octave levels on the hand, (n_people, n_octaves, 42, 20), in dB."""
+    return np.stack([band_levels_db(limb, ALL)[:, :N_HAND] for limb in people])
+
+
+def levels_trial(levels_db: Floats, count: int) -> tuple[Floats, Floats]:
+    """Return errors with ``count`` own places, (n_people, n_octaves, 42, 20), in dB, and held.
+
+    What the range of the person's own places held is a share of the levels elsewhere, (n_people,).
+    """
+    errors, held = np.empty_like(levels_db), []
+    for person, own_db in enumerate(levels_db):
+        others_db = np.delete(levels_db, person, axis=0)
+        rows = far_apart(others_db.mean(axis=0), count) if count else []
+        elsewhere = np.delete(np.arange(N_HAND), rows)
+        shares = []
+        for octave, theirs_db in enumerate(np.moveaxis(others_db, 1, 0)):
+            mean_db, half_db = theirs_db.mean(axis=0), half_width_db(theirs_db)
+            if rows:
+                found = carried(theirs_db, own_db[octave, rows], rows, range(len(ALL)))
+                mean_db, half_db = found.mean_db, half_db * found.remaining[elsewhere]
+            errors[person, octave] = mean_db - own_db[octave]
+            shares.append(np.abs(errors[person, octave, elsewhere]) <= half_db)
+        held.append(np.mean(shares))
+    return errors, np.array(held)
+
+
+def neighbours(limb: Limb) -> Integers:
+    """Return the output that is nearest to each one of the hand, from 0, (42,)."""
+    places = limb.output_positions_mm[:N_HAND]
+    apart = np.hypot(*np.moveaxis(places[:, None] - places, 2, 0))
+    np.fill_diagonal(apart, np.inf)
+    return apart.argmin(axis=1)
+
+
+def places_trial(levels_db: Floats, nearest: Integers) -> tuple[Floats, Floats]:
+    """Return false alarms and hits of a sensor on the nearest wrong place, (n_people, 42)."""
+    alarms, hits = [], []
+    claimed = np.arange(N_HAND)
+    for person, own_db in enumerate(levels_db):
+        unlike = unlikeness(own_db, np.delete(levels_db, person, axis=0))
+        alarms.append([probably_on(unlike[k], k) != k for k in claimed])
+        hits.append([probably_on(unlike[nearest[k]], k) != k for k in claimed])
+    return np.array(alarms), np.array(hits)
+
+
+def _counts(values: Floats) -> str:
+    return ", ".join(str(int(count)) for count in values.sum(axis=1))
+
+
+def page() -> str:
+    """Return the page with the numbers of all trials."""
+    people = people_of(None, 3)
+    five, other_eight, eight = ALL[5:10], ALL[5::2], ALL[5:13]
+    rigs = {
+        "z, all 20 inputs": {},
+        "three axes, all 20 inputs": {"axes": "xyz"},
+        "z, the 15 perpendicular inputs (6 to 20)": {"inputs": ALL[5:]},
+        "z, 8 inputs (6, 8, 10 to 20)": {"inputs": other_eight},
+        "z, 8 inputs (6 to 13)": {"inputs": eight},
+        "z, five finger pads (6 to 10)": {"inputs": five},
+    }
+    rigs |= {
+        f"five finger pads, a tone of {hz:g} Hz": {
+            "inputs": five,
+            "frequencies_hz": np.array([hz]),
+        }
+        for hz in (100.0, 200.0, 300.0)
+    }
+    nearest = neighbours(people[0])
+    rigs["z, all 20 inputs, sensor on the nearest wrong place"] = {"placed": nearest}
+    rigs["z, all 20 inputs, errors that came after measuring"] = {"steady": False}
+    rows = []
+    for name, rig in rigs.items():
+        found = focus_trial(people, **rig)
+        persons = ", ".join(f"{value:.1f}" for value in np.median(found["own row"], axis=(1, 2)))
+        medians = [f"{np.median(found[column]):.1f}" for column in _COLUMNS]
+        rows.append(f"| {name} | {' | '.join([medians[0], persons, *medians[1:]])} |")
+    levels_db = octaves_of(people)
+    carried_rows = []
+    for count in (0, 1, 2, 4, 8, 12):
+        errors, held = levels_trial(levels_db, count)
+        rms = np.sqrt(np.square(errors).mean())
+        shares = ", ".join(f"{100 * share:.0f}" for share in held)
+        carried_rows.append(
+            f"| {count} | {rms:.1f} | {np.quantile(np.abs(errors), 0.9):.1f} | {shares} |"
+        )
+    alarms, hits = places_trial(levels_db, nearest)
+    return _PAGE.format(
+        focus="\n".join(rows),
+        levels="\n".join(carried_rows),
+        held=held_text(range_held()),
+        alarms=_counts(alarms),
+        hits=_counts(hits),
+        n=N_HAND,
+    )
+
+
+_PAGE = """\
+# Another hand
+
+What three measured people say about a fourth one: `ss.people`. Made by
+`python benchmarks/people.py docs/people.md`; do not edit.
+
+Each number is from the published limbs, with one person left out in turn: 4 people, {n} outputs of
+the hand. **Four people are no population.** They had one posture; 66 of 72 sensors lie on the back
+of hand and arm, so nothing is known of the skin of the palm; inputs were measured one at a time.
+Kernels, weights, β and margins were chosen on the same four people.
+
+## One measured place in place of forty-two
+
+`ss.people.focus(partial, target)` takes the row of responses at the target from the person, and
+the quiet matrix from the others. Contrast is the energy at the target over the mean of the other
+41 outputs, 30 to 300 Hz, natural spectrum, in dB: the median over people, targets and ten rigs. A
+rig has noise 20 dB under the row, gains wrong by up to 3 dB and delays by up to 0.1 ms, while it
+measures and plays. *Loudest other* is the target over the loudest other output. *Time reversal*
+needs the own row alone; *best single* is the input that is best on the others, *by hindsight* the
+one that is best on the person.
+
+| rig | own row | of each person | loudest other | time reversal | best single | by hindsight |
+|---|---|---|---|---|---|---|
+{focus}
+
+**Most of the gain is the measured row**: time reversal of it needs nobody else. Five finger pads
+gain nothing at 200 and 300 Hz. Some other output is about as loud as the target, and with few
+inputs louder. `unseen_contrast_db` says what to expect: in turn, one of the others is left out of
+the design.
+
+A sensor on the wrong place costs all of it. `ss.people.likeliest_place` compares the octave levels
+of the row with those of the others. Of {n} outputs of each person it doubted, with the sensor where
+it should be: {alarms}; with the sensor on the nearest wrong place: {hits}.
+
+## Range between people
+
+`ss.people.levels(design)` gives the mean of the people and ±1.645 s √(1 + 1/n) for a person who
+was not measured; s² is the variance between the n people of what plays, pooled over the hand. It
+is a range between people, no confidence band: it held these shares of the levels from 20 places to
+{n} outputs.
+
+{held}
+
+## Some places measured
+
+With `own`, what was measured of a person is carried to the rest of the hand by a Gaussian process,
+whose kernels come from the others alone. Errors of octave levels over the hand, 20 inputs:
+
+| own places | rms, dB | 90 % within, dB | held of each person elsewhere, % |
+|---|---|---|---|
+{levels}
+
+`ss.people.suggested_places` names the places: the loudest, then always the most unlike those
+before it. Phases at places that were not measured cannot be predicted: there is no trace and no
+focus there.
+
+## What is promised
+
+| what | leaving one person out |
+|---|---|
+| focus from one own row, 20 inputs, z | 11.5 dB or more, 3.5 dB over the best single |
+| the same, three axes | 9.5 dB or more |
+| the same, 8 inputs, z | 7 dB or more |
+| levels with 4, 8, 12 own places | at most 3.7, 3.3, 3.1 dB rms |
+
+They are medians over all people left out, and rms over all of them; no person is more than 1 dB
+below the first three.
+
+`tests/core/people/test_promises.py` holds them.
+"""
+
+
+if __name__ == "__main__":
+    write_bytes(Path(sys.argv[1]), page().encode())

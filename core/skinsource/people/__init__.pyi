@@ -1,0 +1,9 @@
+from .carrying import suggested_places as suggested_places
+from .focusing import focus as focus
+from .likeness import likeliest_place as likeliest_place
+from .partial_file import open_partial as open_partial
+from .partial_file import save_partial as save_partial
+from .partial_limb import PartialLimb as PartialLimb
+from .partial_limb import partial as partial
+from .ranges import Range as Range
+from .ranges import levels as levels
