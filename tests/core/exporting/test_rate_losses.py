@@ -31,8 +31,7 @@ def test_the_words_name_the_channel_what_is_lost_and_what_to_do(two, tmp_path):
         ss.export_stimulus(two, tmp_path / "a.wav", rate_hz=1000)
 
 
-def test_what_is_accepted_is_written_and_told(two, tmp_path):
-    path = tmp_path / "a.wav"
+def test_what_is_accepted_is_written_and_told(two, path):
     done = ss.export_stimulus(two, path, rate_hz=1000, options=ACCEPTED)
     sentence = "channel 1 (Digit II, pad) loses 5.8 dB of its energy."
     assert done.loses.endswith(sentence)
@@ -42,10 +41,9 @@ def test_what_is_accepted_is_written_and_told(two, tmp_path):
     assert np.abs(samples[1]).max() == pytest.approx(1.0)
 
 
-def test_what_is_less_than_a_decibel_is_only_told(tmp_path):
+def test_what_is_less_than_a_decibel_is_only_told(path):
     # A hundredth of the energy lies above any rate below 1000 Hz.
     mild = design_of(ss.track(7, tone(100.0)), ss.track(7, tone(550.0), amplitude=0.1))
-    path = tmp_path / "a.wav"
     done = ss.export_stimulus(mild, path, rate_hz=1000)
     # A hundredth: 10 log10(1.01).
     assert done.loses.endswith("channel 1 (Digit II, pad) loses 0.043 dB of its energy.")
