@@ -34,10 +34,6 @@ def test_it_plays_and_the_playhead_comes_back_where_it_was(sound, studio, player
     assert min(playheads_s) >= 0.1
     assert max(playheads_s) > 0.1
     assert document.undo_stack.count() == 0
-    # From the playhead on, at the gain that it starts with.
-    samples = sound.streams[0].samples
-    expected = ss.stimulus_of(DESIGN, 48_000).samples[:, 4800:] * 0.1
-    assert samples[:, 240 : 240 + expected.shape[1]] == pytest.approx(expected, abs=1e-7)
 
 
 def test_an_edit_is_heard_while_it_loops_without_a_click(sound, studio, player, qtbot, listen):
