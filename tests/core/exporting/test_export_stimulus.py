@@ -14,7 +14,7 @@ from skinsource.cli.command_line import main
 from skinsource.export.formats import arrays, format_named
 from skinsource.export.stimulus_export.export import written_files
 from skinsource.export.stimulus_export.preparing import prepare_stimulus
-from tests.core.exporting.export_bench import exported, read, sidecar
+from tests.core.exporting.export_bench import actuation, exported, read, sidecar
 
 
 def test_the_sidecar_says_what_the_numbers_mean(design, path):
@@ -76,10 +76,7 @@ def test_the_ending_tells_the_format(design, tmp_path):
 
 def test_a_channel_whose_clips_lie_outside_the_part_is_silent_behind_an_equaliser_too():
     model = ss.actuators.load("kastor-2023-air")
-    through = ss.Actuation(
-        actuators=(ss.ActuatorAt(actuator="a", model=model),),
-        equaliser=ss.equalising.RegularisedInverse(),
-    )
+    through = actuation(model, ss.equalising.RegularisedInverse())
     gabor = ss.waveforms.Gabor(200.0)
     tracks = ss.track(7, gabor, onset_s=0.5), ss.track(12, gabor, onset_s=1.0)
     design = ss.Design(limb="synthetic-1", inputs=tracks, actuation=through)

@@ -11,7 +11,7 @@ from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.base.errors import InvalidInputError, NotConfirmedError
 from skinsource.cli.command_line import main
-from tests.core.exporting.export_bench import read, sidecar
+from tests.core.exporting.export_bench import actuation, read, sidecar
 
 RATE_HZ = 8000
 #: As strong at all frequencies: 50 and 20 m/s² for each volt.
@@ -144,8 +144,7 @@ def test_channels_wait_for_the_one_with_the_longest_delay(design, rig, tmp_path)
 
 def test_volts_need_no_equaliser_and_keep_their_value(design, rig, path):
     coil = ss.actuators.load("example-voice-coil")
-    through = ss.Actuation(actuators=(ss.ActuatorAt(actuator="coil", model=coil),))
-    volts = replace(design.with_input(1, amplitude=-1.5), actuation=through)
+    volts = replace(design.with_input(1, amplitude=-1.5), actuation=actuation(coil))
     ss.export_stimulus(volts, path, rate_hz=RATE_HZ, rig=rig)
     expected = ss.stimulus_of(volts, RATE_HZ)
     assert expected.unit == "V"
@@ -153,7 +152,7 @@ def test_volts_need_no_equaliser_and_keep_their_value(design, rig, path):
     np.testing.assert_allclose(read(path)[0], expected.samples[0] / 2.0, atol=1e-7)
     np.testing.assert_allclose(read(path)[1], expected.samples[1] / -4.0, atol=1e-7)
     about = sidecar(path)
-    assert about["predicted_through"]["actuators"][0]["actuator"] == "coil"
+    assert about["predicted_through"]["actuators"][0]["actuator"] == "mine"
     assert about["unit"] == "full scale of the channel"
     with pytest.raises(InvalidInputError, match="volts already"):
         ss.export_stimulus(volts, path, rig=rig, equaliser=RegularisedInverse())
@@ -180,9 +179,8 @@ def test_an_equaliser_may_ring_in_the_silence_before(design, rig, path):
 @pytest.mark.parametrize("name", ss.actuators.names())
 def test_an_equaliser_has_all_the_silence_it_needs_unless_it_is_said(tmp_path, name, phase):
     tone = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone(100.0)),))
-    actuator = ss.ActuatorAt(actuator=name, model=ss.actuators.load(name))
     call = {"equaliser": RegularisedInverse(phase=phase), "rate_hz": 8000}
-    call["actuation"] = ss.Actuation(actuators=(actuator,))
+    call["actuation"] = actuation(ss.actuators.load(name))
     done = ss.export_stimulus(tone, tmp_path / "a.wav", **call)
     assert done.edges == ""
     assert done.summary.endswith("lead-in 0.1 s, tail 0.1 s, as the equaliser needs")
@@ -289,8 +287,7 @@ def test_what_the_limited_boost_takes_is_the_same_number_everywhere(tmp_path, ca
         for k, f in enumerate(hz, start=1)
     )
     model = ss.actuators.load("kastor-2023-air")
-    at = ss.ActuatorAt(actuator="Fingertip voice coil", model=model)
-    chosen = ss.Actuation(actuators=(at,), equaliser=RegularisedInverse(), on=False)
+    chosen = actuation(model, RegularisedInverse(), on=False)
     design = ss.Design(
         limb="synthetic-1", inputs=(ss.Input(location=7, clips=clips),), actuation=chosen
     )
