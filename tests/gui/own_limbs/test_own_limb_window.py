@@ -193,8 +193,6 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
         assert (window.conditions.chip.findings, window.notice.text) == ((), "")
     document.edit("Softer", document.design.with_input(0, amplitude=0.5))
     qtbot.waitUntil(lambda: skin.map.content.coloured_values is not None, timeout=30_000)
-    assert skin.map.content.coloured_values.shape == (N_OUTPUTS,)
-    assert np.isfinite(skin.map.content.field_values).any()
 
 
 def test_outputs_that_a_limb_lacks_leave_the_selection_and_undo_brings_them_back(

@@ -60,7 +60,6 @@ def test_the_limit_stops_and_names_the_output(sound, studio, player, qtbot, arm)
     qtbot.waitUntil(lambda: "output 1 (place 7)" in studio.notice.text, **WAIT)
     assert "would have passed full scale" in studio.notice.text
     assert not player.playing
-    assert np.abs(sound.streams[0].samples).max() <= 1.0
 
 
 def test_stop_at_once_is_silent_and_turns_the_gain_back(sound, studio, player, qtbot, listen):
