@@ -87,6 +87,7 @@ def test_reference_and_test_are_lit_in_turn(sound, page, qtbot):
         return {"reference", "test"} <= lit_places
 
     qtbot.waitUntil(both, timeout=20_000)
+    assert sound.streams[0].samples[:2].any()
 
 
 def test_esc_stops_at_once_and_a_second_in_a_hurry_closes_nothing(sound, page, qtbot, monkeypatch):

@@ -219,6 +219,7 @@ def test_what_is_measured_is_drawn_beside_the_model_and_kept(measuring, page, qt
     curves = measuring.plot.plot.curves
     assert [name.short for name in curves.names] == ["Measured", "Model"]
     assert np.abs(curves.y[0] - curves.y[1])[curves.x < 800.0].max() < 0.3
+    assert "240 points from 20 to 1000 Hz" in measuring.message.text()
     assert "dB from the model, at" in measuring.message.text()
     assert page.rig.channels[0].measured is None
     measuring.keep.click()

@@ -59,6 +59,7 @@ def test_the_map_shows_the_skin_where_the_playhead_is(window, look):
     moving = computed(SHORT, window.document.view, Z)
     assert content.values == pytest.approx(moving.acceleration(0.0751)[:, 0])
     assert content.colours == DIVERGING
+    assert content.value_range[0] == -content.value_range[1]
     surface = new_graph().evaluate({"surface"}, sources(SHORT, window.document.view))["surface"]
     field = surface.interpolate(moving.acceleration(0.0751)[:, 0])
     assert content.field_values[surface.mask] == pytest.approx(field[surface.mask])
