@@ -4,18 +4,15 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import Actuation, ActuatorAt, Design, Input, View, track
-from skinsource.actuators.equalising import RegularisedInverse
+from skinsource import Design, Input, View, track
 from skinsource.design.presets.presets import read_preset, shipped_folder
-from skinsource.design.waveforms import Chirplet, Tone
+from skinsource.design.waveforms import Chirplet
+from tests.core.test_unplayable_inputs import EQUALISED, TONE
 from tests.gui.curve_panels.bench import plot_of
 
-TONE = track(7, Tone(frequency_hz=100.0))
 HEARTBEAT = Input(
     location=6, clips=read_preset(shipped_folder() / "heartbeat.skinpreset").fragment.lanes[0].clips
 )
-COIL = ActuatorAt(actuator="Coil", model=ss.actuators.load("kastor-2023-air"))
-EQUALISED = Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
 DESIGNS = {
     "cannot be followed": Design(limb="synthetic-1", inputs=(TONE, HEARTBEAT), actuation=EQUALISED),
     "cannot be sampled": Design(limb="synthetic-1", inputs=(TONE, track(8, Chirplet(600.0)))),

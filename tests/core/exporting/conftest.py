@@ -32,6 +32,12 @@ def design():
 
 
 @pytest.fixture
+def path(tmp_path):
+    """A name for what is exported."""
+    return tmp_path / "a.wav"
+
+
+@pytest.fixture
 def many():
     """Sixteen places."""
     tones = [ss.waveforms.Tone(frequency_hz=40.0 + 20.0 * k, duration_s=0.02) for k in range(16)]

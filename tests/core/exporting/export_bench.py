@@ -1,4 +1,4 @@
-"""Exports, and what was written."""
+"""Exports, what they go through, and what was written."""
 
 import csv
 import json
@@ -22,6 +22,12 @@ def sidecar(path):
 
 def exported(design, path, **options):
     return ss.export_stimulus(design, path, "wav", 8000, options=ss.StimulusOptions(**options))
+
+
+def actuation(model, equaliser=None, **changes):
+    """An actuator at all places."""
+    at = ss.ActuatorAt(actuator="mine", model=model)
+    return ss.Actuation(actuators=(at,), equaliser=equaliser, **changes)
 
 
 def read(path):

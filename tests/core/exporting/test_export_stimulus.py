@@ -14,11 +14,10 @@ from skinsource.cli.command_line import main
 from skinsource.export.formats import arrays, format_named
 from skinsource.export.stimulus_export.export import written_files
 from skinsource.export.stimulus_export.preparing import prepare_stimulus
-from tests.core.exporting.export_bench import exported, read, sidecar
+from tests.core.exporting.export_bench import actuation, exported, read, sidecar
 
 
-def test_the_sidecar_says_what_the_numbers_mean(design, tmp_path):
-    path = tmp_path / "a.wav"
+def test_the_sidecar_says_what_the_numbers_mean(design, path):
     done = exported(design, path)
     about = sidecar(path)
     drive = ss.stimulus_of(design, 8000)
@@ -77,10 +76,7 @@ def test_the_ending_tells_the_format(design, tmp_path):
 
 def test_a_channel_whose_clips_lie_outside_the_part_is_silent_behind_an_equaliser_too():
     model = ss.actuators.load("kastor-2023-air")
-    through = ss.Actuation(
-        actuators=(ss.ActuatorAt(actuator="a", model=model),),
-        equaliser=ss.equalising.RegularisedInverse(),
-    )
+    through = actuation(model, ss.equalising.RegularisedInverse())
     gabor = ss.waveforms.Gabor(200.0)
     tracks = ss.track(7, gabor, onset_s=0.5), ss.track(12, gabor, onset_s=1.0)
     design = ss.Design(limb="synthetic-1", inputs=tracks, actuation=through)
@@ -95,8 +91,7 @@ def test_a_channel_whose_clips_lie_outside_the_part_is_silent_behind_an_equalise
     assert 1e-5 < ready.channels[1].peak < 1e-3
 
 
-def test_options_come_in_the_order_of_time(design, tmp_path):
-    path = tmp_path / "a.wav"
+def test_options_come_in_the_order_of_time(design, path):
     exported(
         design, path, from_s=0.1, to_s=0.2, fade_in_s=0.01, fade_out_s=0.01, lead_in_s=0.05,
         sync=True, channel_map=(3, 0, 2, 1),
@@ -243,8 +238,7 @@ def test_the_files_that_are_told_are_those_that_are_written(tmp_path, name, seve
 
 
 @pytest.mark.parametrize("kind", ["float32", "pcm16"])
-def test_what_clips_is_refused_until_it_is_confirmed(design, tmp_path, kind):
-    path = tmp_path / "a.wav"
+def test_what_clips_is_refused_until_it_is_confirmed(design, tmp_path, path, kind):
     options = ss.StimulusOptions(full_scale=0.5, choices={"samples": kind})
     drive = ss.stimulus_of(design, 48_000).samples / 0.5
     counts = np.count_nonzero(np.abs(drive) > 1.0, axis=1)
@@ -272,14 +266,13 @@ def test_numbers_that_no_device_plays_do_not_clip(design, tmp_path):
         )
 
 
-def test_a_limit_that_is_passed_must_be_confirmed(design, tmp_path):
+def test_a_limit_that_is_passed_must_be_confirmed(design, path):
     listings = []
 
     def limit(drives):
         listings.append((drives.unit, np.abs(drives.samples).max()))
         return ["Channel 1 reaches 45 mm/s, more than 40 mm/s."]
 
-    path = tmp_path / "a.wav"
     with pytest.raises(NotConfirmedError, match="more than 40 mm/s"):
         ss.export_stimulus(design, path, limits=(limit,))
     assert not path.exists()
@@ -294,13 +287,10 @@ def test_a_limit_that_is_passed_must_be_confirmed(design, tmp_path):
     ("changes", "message"),
     [
         ({"format": "mp3"}, "choose from wav"),
-        ({"rate_hz": 44_100.5}, "sample_rate_hz is 44100.5"),
         ({"rate_hz": 0}, "sample_rate_hz is 0"),
         ({"options": ss.StimulusOptions(choices={"samples": "pcm8"})}, "one of float32, pcm24"),
         ({"options": ss.StimulusOptions(choices={"layout": "table"})}, "choose one of samples"),
-        ({"options": ss.StimulusOptions(from_s=0.2, to_s=0.1)}, "to_s is 0.1"),
         ({"options": ss.StimulusOptions(inputs=(4,))}, "No input is active"),
-        ({"options": ss.StimulusOptions(channel_map=(1,))}, "Channel map"),
     ],
 )
 def test_what_cannot_be_had_is_refused_and_nothing_is_written(design, tmp_path, changes, message):

@@ -11,7 +11,7 @@ import pytest
 import skinsource as ss
 from skinsource import View, __version__, open_design, save_design
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
-from skinsource.base.errors import MissingExtraError, Stopped, StorageError
+from skinsource.base.errors import MissingExtraError, Stopped
 from skinsource.cli.command_line import main
 from skinsource.export.packing import citation, data_of, pack
 from skinsource.limbs.own_limbs import facts_of
@@ -97,8 +97,6 @@ def test_a_stopped_pack_leaves_what_stood_there(tmp_path):
         pack(path, DESIGN, VIEW, stop=stop)
     assert path.read_bytes() == b"before"
     assert list(tmp_path.iterdir()) == [path]
-    with pytest.raises(StorageError):
-        pack(tmp_path / "no" / "one.zip", DESIGN, VIEW)
 
 
 def test_without_matplotlib_all_but_the_figure_is_packed(tmp_path, monkeypatch, packed):

@@ -20,8 +20,7 @@ RATES = (1300, 8000, 44_100, 48_000)
 
 
 @pytest.mark.parametrize("rate_hz", RATES)
-def test_float_wav_holds_the_nearest_single_precision_numbers(design, expected, tmp_path, rate_hz):
-    path = tmp_path / "a.wav"
+def test_float_wav_holds_the_nearest_single_precision_numbers(design, expected, path, rate_hz):
     ss.export_stimulus(design, path, format="wav", rate_hz=rate_hz)
     read, found_hz = soundfile.read(path, dtype="float32", always_2d=True)
     assert found_hz == rate_hz
@@ -34,9 +33,8 @@ def test_float_wav_holds_the_nearest_single_precision_numbers(design, expected, 
 @pytest.mark.parametrize("container", ["plain", "extensible"])
 @pytest.mark.parametrize(("kind", "full_scale"), [("pcm16", 32767), ("pcm24", 8388607)])
 def test_whole_numbers_of_wav_are_rounded_to_half_a_step(
-    design, expected, tmp_path, kind, full_scale, container
+    design, expected, path, kind, full_scale, container
 ):
-    path = tmp_path / "a.wav"
     options = ss.StimulusOptions(choices={"samples": kind, "container": container})
     ss.export_stimulus(design, path, rate_hz=48_000, options=options)
     read, _ = soundfile.read(path, dtype="int32", always_2d=True)
@@ -72,8 +70,7 @@ def test_sixteen_channels_are_sixteen_and_name_no_speaker(many, expected, tmp_pa
         assert struct.unpack("<I", content[40:44]) == (0,)
 
 
-def test_wav_tells_its_title_its_writer_and_its_design(design, tmp_path):
-    path = tmp_path / "a.wav"
+def test_wav_tells_its_title_its_writer_and_its_design(design, path):
     ss.export_stimulus(design, path)
     with soundfile.SoundFile(path) as file:
         assert file.title == "Two places"
@@ -90,7 +87,7 @@ def test_flac_holds_24_bits(design, expected, tmp_path, rate_hz):
     assert np.abs((read >> 8) - expected(design, rate_hz) * 8388607).max() <= 0.5 + 1e-9
 
 
-def test_csv_reads_back_as_the_same_bits(design, expected, tmp_path):
+def test_csv_reads_back_as_the_same_bits(design, tmp_path):
     path = tmp_path / "a.csv"
     ss.export_stimulus(design, path, format="csv", rate_hz=8000)
     with path.open(newline="") as file:
@@ -98,10 +95,8 @@ def test_csv_reads_back_as_the_same_bits(design, expected, tmp_path):
     assert head == ["time_s", "place_7_of_full_scale", "place_12_of_full_scale"]
     numbers = np.array(rows, float)
     np.testing.assert_array_equal(numbers[:, 0], np.arange(len(rows)) / 8000)
-    np.testing.assert_allclose(numbers[:, 1:], expected(design, 8000), rtol=0, atol=2e-16)
-    about = sidecar(path)
     drive = ss.stimulus_of(design, 8000).samples.T
-    np.testing.assert_array_equal(numbers[:, 1:], drive * about["gain"])
+    np.testing.assert_array_equal(numbers[:, 1:], drive * sidecar(path)["gain"])
 
 
 def test_layouts_of_csv_are_those_that_generators_read(design, tmp_path):

@@ -14,6 +14,7 @@ from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.errors import InvalidInputError
 from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export import sidecar
+from tests.core.exporting.export_bench import actuation
 
 SCHEMA = json.loads(
     (Path(__file__).parents[3] / "docs" / "sidecar.schema.json").read_text(encoding="utf-8")
@@ -41,11 +42,6 @@ RIG = Rig(
         ),
     ),
 )
-
-
-def actuation(model, equaliser=None):
-    at = ss.ActuatorAt(actuator="mine", model=model)
-    return ss.Actuation(actuators=(at,), equaliser=equaliser)
 
 
 THROUGH = replace(DESIGN, actuation=actuation(COIL, INVERSE))

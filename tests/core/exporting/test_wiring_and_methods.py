@@ -10,6 +10,7 @@ import skinsource as ss
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.base.errors import InvalidInputError
 from skinsource.cli.command_line import main
+from tests.core.exporting.export_bench import actuation
 
 GABOR = ss.waveforms.Gabor(frequency_hz=200.0)
 DESIGN = ss.Design(
@@ -77,8 +78,7 @@ def test_the_hand_is_seen_from_the_palm(tmp_path):
 
 def test_channels_of_the_page_are_those_of_the_export(tmp_path):
     options = ss.StimulusOptions(per="input", sync=True, channel_map=(4, 0, 1, 2, 3))
-    at = ss.ActuatorAt(actuator="mine", model=ss.actuators.load("example-piezo"))
-    call = {"options": options, "actuation": ss.Actuation(actuators=(at,))}
+    call = {"options": options, "actuation": actuation(ss.actuators.load("example-piezo"))}
     ss.export_wiring(DESIGN, tmp_path / "a.svg", **call)
     words = words_of(tmp_path / "a.svg")
     places = [word for word in words if word in ("Sync", "Silent") or word[:2] in ("7,", "12")]
@@ -108,9 +108,9 @@ def test_a_page_of_another_kind_or_of_nothing_is_refused(tmp_path):
 
 def test_the_methods_text_has_the_numbers_of_the_design():
     single = replace(DESIGN, inputs=DESIGN.inputs[:1])
-    at = ss.ActuatorAt(actuator="mine", model=ss.actuators.load("example-voice-coil"))
+    coil = ss.actuators.load("example-voice-coil")
     call = {"format": "flac", "rate_hz": 44_100, "equaliser": ss.equalising.RegularisedInverse()}
-    text = ss.methods_text(single, **call, actuation=ss.Actuation(actuators=(at,)))
+    text = ss.methods_text(single, **call, actuation=actuation(coil))
     assert 60 <= len(text.split()) <= 100
     levels_db = ss.evaluate(single, "output_levels_db")["output_levels_db"]
     for words in (

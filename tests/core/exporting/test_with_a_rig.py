@@ -11,7 +11,7 @@ from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.base.errors import InvalidInputError, NotConfirmedError
 from skinsource.cli.command_line import main
-from tests.core.exporting.export_bench import read, sidecar
+from tests.core.exporting.export_bench import actuation, read, sidecar
 
 RATE_HZ = 8000
 #: As strong at all frequencies: 50 and 20 m/s² for each volt.
@@ -49,8 +49,7 @@ def rig():
     )  # fmt: skip
 
 
-def test_with_one_it_says_what_is_wired_and_when_it_was_measured(design, rig, tmp_path):
-    path = tmp_path / "a.wav"
+def test_with_one_it_says_what_is_wired_and_when_it_was_measured(design, rig, path):
     ss.export_stimulus(design, path, rate_hz=RATE_HZ, rig=rig)
     about = sidecar(path)
     assert about["calibration"] == "calibrated, measured on 2026-03-01"
@@ -60,8 +59,7 @@ def test_with_one_it_says_what_is_wired_and_when_it_was_measured(design, rig, tm
     assert about["unit"] == "m/s²"
 
 
-def test_equalised_samples_are_the_volts_that_make_the_acceleration(design, rig, tmp_path):
-    path = tmp_path / "a.wav"
+def test_equalised_samples_are_the_volts_that_make_the_acceleration(design, rig, path):
     equaliser = RegularisedInverse(boost_db=60.0)
     done = ss.export_stimulus(
         design, path, rate_hz=RATE_HZ, rig=rig, equaliser=equaliser, options=BARE
@@ -77,8 +75,7 @@ def test_equalised_samples_are_the_volts_that_make_the_acceleration(design, rig,
     assert about["equaliser"] == {"kind": "RegularisedInverse", "boost_db": 60.0, "phase": "linear"}
 
 
-def test_limits_of_the_rig_must_be_confirmed(design, rig, tmp_path):
-    path = tmp_path / "a.wav"
+def test_limits_of_the_rig_must_be_confirmed(design, rig, path):
     careful = replace(rig.channels[0], limits=Limits(peak_voltage_v=0.5))
     strict = replace(rig, channels=(careful, rig.channels[1]))
     with pytest.raises(NotConfirmedError, match="Place 7"):
@@ -88,8 +85,7 @@ def test_limits_of_the_rig_must_be_confirmed(design, rig, tmp_path):
     assert sidecar(path)["confirmed"][0].startswith("Place 7")
 
 
-def test_what_a_rig_does_not_know_is_asked_for(design, rig, tmp_path):
-    path = tmp_path / "a.wav"
+def test_what_a_rig_does_not_know_is_asked_for(design, rig, tmp_path, path):
     equaliser = RegularisedInverse()
     with pytest.raises(InvalidInputError, match="Choose a rig, or an actuator"):
         ss.export_stimulus(design, path, equaliser=equaliser)
@@ -111,10 +107,9 @@ def test_what_a_rig_does_not_know_is_asked_for(design, rig, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_the_command_takes_a_rig_and_an_equaliser(design, rig, tmp_path, capsys):
+def test_the_command_takes_a_rig_and_an_equaliser(design, rig, tmp_path, path, capsys):
     ss.save_design(tmp_path / "d.skinsource", design)
     save_rig(tmp_path / "bench.skinrig", rig)
-    path = tmp_path / "a.wav"
     call = ["export", str(tmp_path / "d.skinsource"), "--rate", "8000", "--out", str(path)]
     call += ["--rig", str(tmp_path / "bench.skinrig")]
     assert main([*call, "--equalise", "minimum", "--boost", "12"]) == 0
@@ -147,11 +142,9 @@ def test_channels_wait_for_the_one_with_the_longest_delay(design, rig, tmp_path)
     assert added == pytest.approx([0.0, 0.00405])
 
 
-def test_volts_need_no_equaliser_and_keep_their_value(design, rig, tmp_path):
+def test_volts_need_no_equaliser_and_keep_their_value(design, rig, path):
     coil = ss.actuators.load("example-voice-coil")
-    through = ss.Actuation(actuators=(ss.ActuatorAt(actuator="coil", model=coil),))
-    volts = replace(design.with_input(1, amplitude=-1.5), actuation=through)
-    path = tmp_path / "a.wav"
+    volts = replace(design.with_input(1, amplitude=-1.5), actuation=actuation(coil))
     ss.export_stimulus(volts, path, rate_hz=RATE_HZ, rig=rig)
     expected = ss.stimulus_of(volts, RATE_HZ)
     assert expected.unit == "V"
@@ -159,15 +152,14 @@ def test_volts_need_no_equaliser_and_keep_their_value(design, rig, tmp_path):
     np.testing.assert_allclose(read(path)[0], expected.samples[0] / 2.0, atol=1e-7)
     np.testing.assert_allclose(read(path)[1], expected.samples[1] / -4.0, atol=1e-7)
     about = sidecar(path)
-    assert about["predicted_through"]["actuators"][0]["actuator"] == "coil"
+    assert about["predicted_through"]["actuators"][0]["actuator"] == "mine"
     assert about["unit"] == "full scale of the channel"
     with pytest.raises(InvalidInputError, match="volts already"):
         ss.export_stimulus(volts, path, rig=rig, equaliser=RegularisedInverse())
 
 
-def test_an_equaliser_may_ring_in_the_silence_before(design, rig, tmp_path):
+def test_an_equaliser_may_ring_in_the_silence_before(design, rig, path):
     early = replace(design, inputs=(ss.track(7, ss.waveforms.Gabor(frequency_hz=120.0)),))
-    path = tmp_path / "a.wav"
     equaliser = RegularisedInverse()
     coil = ss.actuators.load("example-voice-coil")
     named = replace(rig, channels=(replace(rig.channels[0], measured=None, model=coil),))
@@ -187,9 +179,8 @@ def test_an_equaliser_may_ring_in_the_silence_before(design, rig, tmp_path):
 @pytest.mark.parametrize("name", ss.actuators.names())
 def test_an_equaliser_has_all_the_silence_it_needs_unless_it_is_said(tmp_path, name, phase):
     tone = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone(100.0)),))
-    actuator = ss.ActuatorAt(actuator=name, model=ss.actuators.load(name))
     call = {"equaliser": RegularisedInverse(phase=phase), "rate_hz": 8000}
-    call["actuation"] = ss.Actuation(actuators=(actuator,))
+    call["actuation"] = actuation(ss.actuators.load(name))
     done = ss.export_stimulus(tone, tmp_path / "a.wav", **call)
     assert done.edges == ""
     assert done.summary.endswith("lead-in 0.1 s, tail 0.1 s, as the equaliser needs")
@@ -235,8 +226,7 @@ BARE = ss.StimulusOptions(lead_in_s=0.0, tail_s=0.0)
         ({"actuation": THROUGH}, "volts of the design"),
     ],
 )
-def test_what_is_not_equalised_says_what_it_is(design, tmp_path, changes, message):
-    path = tmp_path / "a.wav"
+def test_what_is_not_equalised_says_what_it_is(design, path, changes, message):
     exported = ss.export_stimulus(replace(design, **changes), path, actuation=THROUGH)
     words = f"Not equalised ({message}), for Coil, in air"
     assert exported.equalised == sidecar(path)["equalised"] == words
@@ -248,8 +238,9 @@ def test_what_is_not_equalised_says_what_it_is(design, tmp_path, changes, messag
 
 
 @pytest.mark.parametrize("named", [True, False])
-def test_an_actuator_that_is_named_or_predicted_through_gets_its_volts(design, tmp_path, named):
-    path = tmp_path / "a.wav"
+def test_an_actuator_that_is_named_or_predicted_through_gets_its_volts(
+    design, tmp_path, path, named
+):
     shown = design if named else replace(design, actuation=replace(THROUGH, equaliser=INVERSE))
     exported = ss.export_stimulus(
         shown,
@@ -296,8 +287,7 @@ def test_what_the_limited_boost_takes_is_the_same_number_everywhere(tmp_path, ca
         for k, f in enumerate(hz, start=1)
     )
     model = ss.actuators.load("kastor-2023-air")
-    at = ss.ActuatorAt(actuator="Fingertip voice coil", model=model)
-    chosen = ss.Actuation(actuators=(at,), equaliser=RegularisedInverse(), on=False)
+    chosen = actuation(model, RegularisedInverse(), on=False)
     design = ss.Design(
         limb="synthetic-1", inputs=(ss.Input(location=7, clips=clips),), actuation=chosen
     )

@@ -29,6 +29,12 @@ while run.trial is not None:
 """
 
 
+@pytest.fixture
+def path(tmp_path):
+    """A name for a table of matches."""
+    return tmp_path / "matches.csv"
+
+
 def store_all(procedure, path, level_db=3.0):
     run = matching.MatchingRun(procedure, path)
     while run.trial is not None:
@@ -89,8 +95,7 @@ def test_arrows_go_by_a_decibel_and_stay_within_what_can_be():
     assert run.level_db == matching.LOWEST_DB
 
 
-def test_what_is_stored_is_a_row_and_is_not_asked_again(tmp_path):
-    path = tmp_path / "matches.csv"
+def test_what_is_stored_is_a_row_and_is_not_asked_again(path):
     run = matching.MatchingRun(ANNA, path)
     first = run.trial
     run.step(2.0)
@@ -114,8 +119,7 @@ def test_what_is_stored_is_a_row_and_is_not_asked_again(tmp_path):
     assert len({(r["person"], r["frequency_hz"], r["place"], r["direction"]) for r in rows}) == 16
 
 
-def test_a_match_is_never_stored_twice(tmp_path):
-    path = tmp_path / "matches.csv"
+def test_a_match_is_never_stored_twice(path):
     first, other = matching.MatchingRun(ANNA, path), matching.MatchingRun(ANNA, path)
     first.store()
     before = path.read_bytes()
@@ -125,8 +129,7 @@ def test_a_match_is_never_stored_twice(tmp_path):
     assert other.trial == ANNA.trials[0]
 
 
-def test_two_processes_that_add_matches_at_the_same_time_lose_none(tmp_path):
-    path = tmp_path / "matches.csv"
+def test_two_processes_that_add_matches_at_the_same_time_lose_none(tmp_path, path):
     people = [
         subprocess.Popen(
             [sys.executable, "-c", ADDING, path, name],
@@ -147,8 +150,7 @@ def test_two_processes_that_add_matches_at_the_same_time_lose_none(tmp_path):
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_another_reference_needs_another_table(tmp_path):
-    path = tmp_path / "matches.csv"
+def test_another_reference_needs_another_table(path):
     run = matching.MatchingRun(ANNA, path)
     match = run.store()
     with pytest.raises(InvalidInputError, match="another reference"):
@@ -174,8 +176,7 @@ def test_another_reference_needs_another_table(tmp_path):
         (lambda text: "\0" + text, "not a table|expected CSV"),
     ],
 )
-def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, message):
-    path = tmp_path / "matches.csv"
+def test_a_damaged_table_is_one_error_that_says_where(path, change, message):
     store_all(ANNA, path)
     path.write_text(change(path.read_text()))
     before = path.read_bytes()
@@ -207,8 +208,7 @@ def test_a_procedure_that_cannot_be_is_refused(changes, message):
         replace(ANNA, **changes)
 
 
-def test_strengths_average_persons_and_lie_between_what_was_measured(tmp_path):
-    path = tmp_path / "matches.csv"
+def test_strengths_average_persons_and_lie_between_what_was_measured(path):
     store_all(ANNA, path, level_db=2.0)
     store_all(replace(ANNA, person="Ben", frequencies_hz=(50.0,)), path, level_db=8.0)
     strengths = matching.Strengths.of(matching.read_matches(path))

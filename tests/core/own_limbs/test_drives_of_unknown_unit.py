@@ -35,16 +35,11 @@ def driven(design):
 
 
 @pytest.fixture
-def drive_limb(user_data):
-    return installed()
-
-
-@pytest.fixture
 def probe_limb(user_data):
     return installed(per_unit_drive=False)
 
 
-def test_only_where_the_drive_is_the_amplitude_its_unit_is_not_known(drive_limb):
+def test_only_where_the_drive_is_the_amplitude_its_unit_is_not_known(lab):
     assert facts_of("lab-1").per_unit_drive
     assert not drive_unit_known("lab-1")
     assert units(LAB) == ["m/s²", "×", "a.u."]
@@ -79,7 +74,7 @@ def test_of_a_limb_that_is_not_here_or_is_another_one_the_unit_is_not_known_eith
     assert amplitude_unit(replace(LAB, limb="")) == "m/s²"
 
 
-def test_actuators_are_asked_for_volts_or_accelerations_whatever_the_limb_answers(drive_limb):
+def test_actuators_are_asked_for_volts_or_accelerations_whatever_the_limb_answers(lab):
     volts = replace(LAB, actuation=ss.Actuation(actuators=(COIL,)))
     asked = ss.Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
     accelerations = replace(LAB, actuation=asked)
@@ -90,7 +85,7 @@ def test_actuators_are_asked_for_volts_or_accelerations_whatever_the_limb_answer
     assert amplitude_unit(off) == "a.u."
 
 
-def test_no_equaliser_takes_a_drive_of_unknown_unit_for_accelerations(drive_limb, tmp_path):
+def test_no_equaliser_takes_a_drive_of_unknown_unit_for_accelerations(lab, tmp_path):
     path, options = tmp_path / "lab.wav", {"equaliser": RegularisedInverse()}
     asked = ss.Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
     rig = ss.rigs.Rig(

@@ -68,10 +68,7 @@ def test_what_is_shown_is_placed_in_one_step(window, settle, qtbot, sound):
     new = design.inputs[-1]
     assert (new.location, len(design.inputs)) == (13, len(before.inputs) + 1)
     (clip,) = new.clips
-    expected = take(sound)
-    assert clip.waveform == expected.waveform
-    assert clip.waveform.name == "tap.wav, channel 1"
-    assert clip.waveform.source_rate_hz == 48_000
+    assert clip.waveform == take(sound).waveform
     assert window.document.view.selected_inputs == (new.id,)
     assert window.document.undo_stack.count() == steps + 1
     settle()

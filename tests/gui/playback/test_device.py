@@ -115,7 +115,7 @@ def test_armed_the_peak_is_shown_and_the_buttons_play_and_stop(sound, player, pa
 
 
 def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbot, listen):
-    now = listen(loops=True)
+    listen(loops=True)
     sound.streams[-1].underflows = 2
     design = studio.document.design
     studio.document.edit("Louder", design.with_input(1, amplitude=0.6))
@@ -124,7 +124,6 @@ def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbo
     qtbot.waitUntil(lambda: text_of(panel, "level_of_7") == "\u221220.9 dBFS", **WAIT)
     meter = panel.rows.rows[0].meter
     qtbot.waitUntil(lambda: -30 < meter.value() < -22, **WAIT)
-    assert now.stream.underruns == 2
 
 
 def test_rows_follow_the_places_of_the_design(sound, studio, panel):

@@ -87,13 +87,6 @@ def test_a_rig_that_is_gone_does_not_play_without_its_limits(sound, studio, play
     assert not sound.streams
 
 
-def test_it_is_played_on_the_outputs_of_the_rig(sound, studio, player, path, listen, qtbot):
-    player.settings.choose_rig(path)
-    playing = listen()
-    qtbot.waitUntil(lambda: not player.playing, **WAIT)
-    assert playing.stream.queue.mix.names == ("place 12", "place 7")
-
-
 def test_a_limit_in_the_first_block_is_said_even_if_that_is_over_before_play_was_under_way(
     sound, studio, player, tmp_path, qtbot, monkeypatch, arm
 ):
