@@ -13,7 +13,7 @@ import numpy as np
 
 from skinsource.base.conventions import Complexes, Floats, Integers
 from skinsource.base.files import write_bytes
-from skinsource.inverse.focusing import energy_of, loaded, target_row
+from skinsource.inverse.focusing import loaded, target_row
 from skinsource.inverse.responses import (
     HAND_OUTPUTS,
     Responses,
@@ -65,8 +65,9 @@ def focus_trial(
     at_hz = usual_bins_hz(people[0]) if frequencies_hz is None else frequencies_hz
     answers = [responses_of(p, axes=axes, inputs=inputs, frequencies_hz=at_hz) for p in people]
     everything = np.stack([gram_of(each.rows(HAND_OUTPUTS)) for each in answers])
-    found: dict[str, list[float]] = {name: [] for name in _COLUMNS}
+    found: dict[str, list[Floats]] = {name: [] for name in _COLUMNS}
     for person, own in enumerate(answers):
+        hand = own.rows(HAND_OUTPUTS)
         for target in HAND_OUTPUTS:
             strong = np.stack([gram_of(each.rows([target])) for each in answers])
             quiet = everything - strong
@@ -74,14 +75,17 @@ def focus_trial(
             of_others = np.delete(singles_db, person, axis=0).mean(axis=0).argmax()
             sensor = target if placed is None else int(placed[target - 1]) + 1
             known = np.delete(quiet, person, axis=0).mean(axis=0)
+            focused, reversed_in_time = [], []
             for row, errors in _measured(own, sensor, steady):
                 weight = np.square(np.abs(row)).sum(axis=1, keepdims=True)
-                mean_db, loudest_db = _seen(own, target, weight * loaded(row, known)[0] * errors)
-                reversed_db, _ = _seen(own, target, row.conj() * errors)
-                singles = singles_db[person, of_others], singles_db[person].max()
-                values = mean_db, loudest_db, reversed_db, *singles
-                for name, value in zip(_COLUMNS, values, strict=True):
-                    found[name].append(value)
+                focused.append(weight * loaded(row, known)[0] * errors)
+                reversed_in_time.append(row.conj() * errors)
+            mean_db, loudest_db = _seen(hand, target, focused)
+            reversed_db, _ = _seen(hand, target, reversed_in_time)
+            singles = singles_db[person, of_others], singles_db[person].max()
+            values = mean_db, loudest_db, reversed_db, *singles
+            for name, value in zip(_COLUMNS, values, strict=True):
+                found[name].append(np.broadcast_to(value, len(SEEDS)))
     shape = len(people), N_HAND, len(SEEDS)
     return {name: np.reshape(values, shape) for name, values in found.items()}
 
@@ -102,12 +106,12 @@ def _measured(own: Responses, sensor: int, steady: bool) -> Iterator[tuple[Compl
         yield row * (errors if steady else 1.0) + noise, errors
 
 
-def _seen(own: Responses, target: int, drives: Complexes) -> tuple[float, float]:
-    """Return the target's energy over the mean of the other outputs, and over the loudest, dB."""
-    energy = energy_of(own, drives)[:, :N_HAND].sum(axis=0)
-    others = np.delete(energy, target - 1)
-    strong = energy[target - 1]
-    return _contrast_db(strong, others.sum()), 10.0 * float(np.log10(strong / others.max()))
+def _seen(hand: Complexes, target: int, drives: Sequence[Complexes]) -> tuple[Floats, Floats]:
+    """Return the target's energy over the mean of the others, and over the loudest, by seed, dB."""
+    field = hand @ np.stack(drives, axis=-1)
+    energy = np.square(np.abs(field)).sum(axis=0).reshape(N_HAND, -1, len(drives)).sum(axis=1)
+    others, strong = np.delete(energy, target - 1, axis=0), energy[target - 1]
+    return _contrast_db(strong, others.sum(axis=0)), 10.0 * np.log10(strong / others.max(axis=0))
 
 
 def _diagonal(grams: Complexes) -> Floats:
