@@ -171,6 +171,14 @@ def test_traces_are_measured_between_the_cursors_even_relative_to_their_peaks(tr
             assert rms == pytest.approx(np.sqrt(np.mean(trace[inside] ** 2)), rel=0.01)
 
 
+def test_a_cursor_behind_the_end_of_the_record_is_held_there_until_the_record_is_longer(traces):
+    panel = traces((0.08, 0.98))
+    for n_times, end_s in ((651, 0.5), (1301, 0.98)):
+        panel.show_results(bench.traces_for(bench.SIGNED, n_times=n_times))
+        assert legend_of(panel).where.endswith(f"Δt {(end_s - 0.08) * 1e3:.0f} ms")
+        assert bench.plot_of(panel).cursors.lines[1].position == pytest.approx(end_s)
+
+
 def test_the_numbers_of_all_outputs_stay_while_the_pointer_is_in_the_plot(traces):
     panel = traces(BETWEEN_S)
     before = legend_of(panel)
