@@ -658,8 +658,7 @@ class OfFrequencies(Kind):
         own_hz = frequency_of(design)
         if own_hz is None:
             return ()
-        others = (hz for hz in settings.frequencies_hz if hz != own_hz)
-        in_order = sorted((own_hz, *others))
+        in_order = sorted({own_hz, *settings.frequencies_hz})
         return tuple(design.limb if hz == own_hz else hz for hz in in_order)
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:

@@ -224,6 +224,16 @@ def test_each_axis_has_the_levels_that_the_skin_map_has_along_it(window, panel, 
     assert not panel.moves
 
 
+def test_a_frequency_that_is_typed_twice_is_shown_once(window, panel, qtbot):
+    choose(window, of="frequencies")
+    shown(panel, qtbot, 4)
+    line = panel.bar.frequencies.line
+    for text, n in (("50, 150, 300, 50", 4), ("50, 150, 300, 500", 5)):
+        line.setPlainText(text)
+        assert len(shown(panel, qtbot, n)) == n
+        assert line.toPlainText() == text
+
+
 def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot):
     shown(panel, qtbot, 4)
 
