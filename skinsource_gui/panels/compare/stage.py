@@ -707,8 +707,9 @@ class StagePanel(MapsPanel):
         if self._held_ends is not None and not (passes or self._passes):
             end_s = self._held_ends[0][1]
         self._passes = passes
-        curves, noisy = [], noisy_outputs(self.compared[0])
+        curves = []
         for k, loop, gain in known:
+            noisy = noisy_outputs(self.compared[k])
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
             if self._together:
                 results = self.compared[k].values or {}
@@ -717,7 +718,8 @@ class StagePanel(MapsPanel):
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             # Of another design the loudest part may lie where this one has ended.
             for row, number in enumerate(kept if x.size else ()):
-                called = _names(number, limb, noisy) if alone else names[k]
+                called = _names(number, limb) if alone else names[k]
+                called = tuple(f"{each}{' noise' * (number in noisy)}" for each in called)
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         self.strip.in_rows = self.moving.passes and bool(curves)
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
@@ -845,10 +847,9 @@ def _fits_of(
     return curves
 
 
-def _names(number: int, limb: str, noisy: Sequence[int]) -> Names:
-    (name,), noise = output_names((number,), limb), " noise" * (number in noisy)
-    names = output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
-    return tuple(f"{each}{noise}" for each in names)
+def _names(number: int, limb: str) -> Names:
+    (name,) = output_names((number,), limb)
+    return output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
 
 
 def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] | None:
