@@ -443,12 +443,16 @@ TURNED = {
 @pytest.mark.parametrize(("title", "turned"), TURNED.items())
 def test_words_of_ones_own_say_the_number_that_is_played(stage, qtbot, title, turned):
     document = stage.window().document
-    said = "At 100 Hz it is strong. It runs. Measured, it is 0.9. Try 50 Hz."
+    said = "It reaches 9 cm. At 100 Hz it is strong. It runs. Measured, it is 0.9. Try 50 Hz."
     own = replace(document.design, title=title, notes=said)
     document.start_over(own, document.view, None)
     others = replace(own, title="Far · 50 Hz"), replace(own, title="Far · 20 Hz")
+    show(stage.window(), StageSettings(control="amplitude"))
+    stage.knob.edited.emit(3.25, None)
+    assert stage.sentence.text() == said[17:]
+    show(stage.window())
     stage.knob.edited.emit(150.0, None)
-    assert (stage.heading.text(), stage.sentence.text()) == (turned, said[24:])
+    assert (stage.heading.text(), stage.sentence.text()) == (turned, said[41:])
     document.look(replace(document.view, snapshots=stored(others)))
     working = side_by_side(stage, qtbot, 3, of="snapshots")[-1]
     called = turned if turned.endswith(("Hz", "limb 1")) else "Working design"
