@@ -703,7 +703,7 @@ def lengths_text(compared: Sequence[Compared]) -> str:
     if not lengths_s[1:]:
         return ""
     shortest, *_, longest = lengths_s
-    return f"over {shortest:g} to {longest:g} s; differences and means over {longest:g} s"
+    return f"{shortest:g} to {longest:g} s long; differences and means over {longest:g} s"
 
 
 def _with_lengths(compared: Sequence[Compared], names: Sequence[Names]) -> Sequence[Names]:
