@@ -213,8 +213,8 @@ class ShowPage(ToolPage):
         for part in (self.heading, self.sentence, self.knob, self.notes):
             part.setEnabled(known)
         self._about.setVisible(item is None)
-        for part in self._of_entry:
-            part.setEnabled(item is not None)
+        for button in self._of_entry:
+            button.setEnabled(item is not None)
         if isinstance(entry, UnreadEntry):
             self.complain(entry.problem)
         elif self.message.property("tone") == "error":
