@@ -310,10 +310,12 @@ class Pen(Tool):
         self._changed = False
 
     def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
-        if content.drawn is None or self._first is not None:
+        if self._first is not None:
             return
         self._zeroes = button == Button.RightButton
         if (not self._zeroes and button != Button.LeftButton) or not self.may_begin():
+            return
+        if content.drawn is None:
             return
         self._before, self._number, self._changed = content.drawn, new_gesture(), False
         self._first = self._place(content, at)

@@ -240,6 +240,10 @@ class InputFields(QObject):
             different = {value, *(other.get(cell.name) for other in rest)} - {None}
             cell.show_mixed(len(different) > 1)
 
+    def start_over(self) -> None:
+        """Forget what can be typed again: another design has clips and tracks of its numbers."""
+        self._gain_of = self._curve_of = None
+
     def show_strength(self, amplitude: NumberSpec, peak: str) -> None:
         """Say what an amplitude is; ``peak``: the resulting one."""
         if self._strength == (amplitude, peak):
@@ -514,6 +518,9 @@ class InspectorPanel(Panel):
         )
         self._stack.setCurrentWidget(self._editor)
         self.setFocusProxy(self._fields.place)
+
+    def start_over(self) -> None:
+        self._fields.start_over()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._waveforms, self._rate_hz = waveforms_of(results), results["sample_rate_hz"]
