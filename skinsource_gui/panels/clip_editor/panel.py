@@ -11,6 +11,7 @@ from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError, sentence
 from skinsource.design import edits
 from skinsource.design.clips import Clip
+from skinsource.design.describing import duration_text, figure_text
 from skinsource.design.design import Design, View
 from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
@@ -28,7 +29,7 @@ from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.synthesis import Column, Curve, bends_of, curve_of
 from skinsource_gui.fields.editor import Burst
-from skinsource_gui.fields.inputs import clip_text, duration_text, figure_text, waveforms_of
+from skinsource_gui.fields.inputs import clip_text, waveforms_of
 from skinsource_gui.panels.clip_editor.tools import EnvelopeTool, GlideTool, Pen, ViewTool
 from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, Tool
 from skinsource_gui.qt.buttons import page_label, tool_button

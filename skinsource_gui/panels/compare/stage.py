@@ -28,6 +28,7 @@ from skinsource.design.amplitudes import amplitude_spec, amplitude_unit, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
 from skinsource.design.comparing import with_edited
 from skinsource.design.design import AMPLITUDE_GAIN, EDITED, Design, Input, View
+from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import Edit, clip_of, leading_input
 from skinsource.design.panel_settings import (
     AMPLITUDE,
@@ -47,7 +48,7 @@ from skinsource.studies import scenes
 from skinsource.studies.checking import bands_shown, proportion, strengths_of
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import DRAG_BEGINS_PX, NumberField
-from skinsource_gui.fields.units import axis_unit, minus, output_text, parse_number, value_text
+from skinsource_gui.fields.units import axis_unit, minus, output_text, parse_number
 from skinsource_gui.panels.compare.content import (
     ALL_AXES,
     KINDS,

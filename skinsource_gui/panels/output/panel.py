@@ -25,6 +25,7 @@ from skinsource.base.conventions import Band
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit, equaliser_of
 from skinsource.design.design import Design, View
+from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import repair_for_actuators
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -48,7 +49,7 @@ from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid, LabelledCell
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
-from skinsource_gui.fields.units import minus, value_text
+from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.output.figures import (
     DemandView,
     OutputSettings,

@@ -372,7 +372,10 @@ def _cut(label):
 def test_the_knob_says_what_it_turns_in_words_that_stand_alone(kind):
     design = ss.Design(limb="synthetic-1", inputs=(ss.track(3, kind()),))
     _, name, spec, _ = _number(design, ss.View())
-    assert spec.label == "Amplitude" if name == "amplitude" else kind.title in spec.label
+    assert name == "amplitude" or kind.title in spec.label
+    view = with_settings(ss.View(), "stage", StageSettings(control="amplitude"))
+    _, _, spec, _ = _number(design.with_clip(1, gain=0.5), view)
+    assert (spec.label, spec.unit) == ("Input gain", "")
 
 
 def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
