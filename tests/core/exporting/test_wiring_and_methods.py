@@ -131,10 +131,11 @@ def test_the_methods_text_counts_what_it_does_not_describe():
 
 
 def test_the_methods_text_says_what_is_played():
-    slower = ss.Clip(waveform=ss.waveforms.Tone(100.0), effects=(ss.effects.Stretch(to_s=0.4),))
+    effects = (ss.effects.Stretch(to_s=0.4),)
+    slower = ss.Clip(waveform=ss.waveforms.Tone(100.0), effects=effects, gain=0.92)
     train = ss.waveforms.WaveletTrain(equalise="energy", gains_db=(0.0, -7.1, -5.1, -5.6, -5.05))
     inputs = ss.Input(location=7, clips=(slower,)), ss.track(7, train)
     text = ss.methods_text(replace(DESIGN, inputs=inputs))
-    assert "Tone 100 Hz, 400 ms through stretch ×2, 1 m/s², at Digit II" in text
+    assert "Tone 100 Hz, 400 ms gain 0.92 through stretch ×2, 1 m/s², peak 0.913 m/s²" in text
     assert "Wavelet train 50–400 Hz (5 frequencies, " in text
     assert ", balance by energy, gains 0 to −7.1 dB), 600 ms, gain 1, peak 0.559 m/s²" in text
