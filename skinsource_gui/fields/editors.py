@@ -15,6 +15,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, Qt
 
 from skinsource.base.errors import InvalidInputError, printable
+from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import KindSpec
 from skinsource.design.effects.breakpoints import Points as Breakpoints
 from skinsource.design.waveforms.wavelet_train import frequency_sweep
@@ -45,7 +46,6 @@ from skinsource_gui.fields.units import (
     points_text,
     read_numbers,
     read_points,
-    value_text,
 )
 from skinsource_gui.qt.buttons import answers, page_label, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip

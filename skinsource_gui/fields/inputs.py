@@ -8,18 +8,17 @@ from typing import Any
 from PySide6 import QtWidgets
 
 from skinsource.base.conventions import Floats
-from skinsource.base.errors import printable
 from skinsource.design import edits
 from skinsource.design.clips import Clip
+from skinsource.design.describing import DURATION_FIELD, duration_text, figure_text, path_hz
 from skinsource.design.design import Design, Input, View
+from skinsource.design.display_units import number_text
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects.time import stretched_by
 from skinsource.design.waveform import Waveform
 from skinsource.signals.generators import sample_count
 from skinsource.specs.models import specs_of
-from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, PointsSpec
-from skinsource.specs.spec import TextSpec
-from skinsource_gui.fields.units import LONG_S, number_text, value_text
+from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.qt.keys import KEYS, key_text
 
 
@@ -53,41 +52,10 @@ class FieldChanges:
         return edits.drag_field(design, view, ids, name, value, lead=lead, start=self._start)
 
 
-DURATION_FIELD = "duration_s"
 #: Text of an input without clips.
 EMPTY = "nothing yet"
-# Names of pairs of fields for the first and the last frequency.
-_ENDS = (("start_hz", "end_hz"), ("low_hz", "high_hz"))
-# Fields that every label has already.
-_LABELLED = (DURATION_FIELD, *(name for ends in _ENDS for name in ends))
-# A path with more frequencies is labelled by the lowest and the highest.
-_MOST_FREQUENCIES, _MOST_PARTS, _MOST_LETTERS = 4, 3, 60
 # Shorter differences are rounding errors, s.
 _LEAST_S = 1e-9
-
-
-def figure_text(waveform: Waveform) -> str:
-    """Return title and frequencies of a waveform, ``"Tone 100 Hz"``, else its first number.
-
-    A recording has its name.
-    """
-    name = getattr(waveform, "name", "")
-    if name:
-        return printable(name)
-    if path := _path_hz(waveform):
-        return f"{waveform.title} {'–'.join(number_text(hz, 'Hz', digits=4) for hz in path)} Hz"
-    for name, spec in specs_of(waveform).items():
-        if isinstance(spec, ListSpec) and isinstance(spec.of, NumberSpec):
-            values = getattr(waveform, name)
-            ends = values[:: max(len(values) - 1, 1)]
-            frequencies = "–".join(number_text(end, spec.of.unit, digits=4) for end in ends)
-            return f"{waveform.title} {frequencies} {spec.of.unit}"
-        if isinstance(spec, NumberSpec) and name != DURATION_FIELD:
-            number = value_text(getattr(waveform, name), spec.unit, digits=4)
-            if spec.unit:
-                return f"{waveform.title} {number}"
-            return f"{waveform.title}, {spec.label.lower()} {number}"
-    return waveform.title
 
 
 def clip_text(clip: Clip) -> str:
@@ -101,41 +69,9 @@ def stretched_text(clip: Clip) -> str:
     return "" if factor == 1.0 else f", stretched ×{factor:.3g}"
 
 
-def full_label(waveform: Waveform) -> str:
-    """Return `figure_text` with the other fields, for screen readers: "Square 100 Hz (duty 0.5)".
-
-    Phases and windows are left out.
-    """
-    figure = figure_text(waveform)
-    more: list[str] = []
-    for name, spec in specs_of(waveform).items():
-        value = getattr(waveform, name)
-        if isinstance(spec, NumberSpec) and name not in _LABELLED and spec.unit != "rad":
-            number = value_text(value, spec.unit, digits=4)
-            if not any(
-                figure.endswith(f" {ending}")
-                for ending in (number, f"{spec.label.lower()} {number}")
-            ):
-                more.append(f"{spec.label.lower()} {number}")
-        elif isinstance(spec, TextSpec) and name != "name":
-            text = printable(value)
-            more.append(text if len(text) <= _MOST_LETTERS else f"{text[:_MOST_LETTERS]}…")
-        elif isinstance(spec, ListSpec) and isinstance(spec.of, ModelSpec):
-            inside = [full_label(clip.waveform) for clip in value if isinstance(clip, Clip)]
-            more += [*inside[:_MOST_PARTS], *["…"] * (len(inside) > _MOST_PARTS)]
-    return f"{figure} ({', '.join(more)})" if more else figure
-
-
 def clips_text(count: int) -> str:
     """Return the end of the text of one of ``count`` clips: ``" · 1 of 3 clips"``."""
     return f" · 1 of {count} clips" if count > 1 else ""
-
-
-def duration_text(duration_s: float) -> str:
-    """Return the text of a duration: ``"200 ms"``, ``"600 s"``."""
-    if sample_count(duration_s) == 1:
-        return "one sample"
-    return value_text(duration_s, "s", digits=4 if duration_s >= LONG_S else 3)
 
 
 def played_length_text(clip: Clip) -> str:
@@ -148,12 +84,10 @@ def played_length_text(clip: Clip) -> str:
 def played_hz_text(clip: Clip) -> str:
     """Return the text of the frequencies of a clip whose effects change them; else ""."""
     waveform, factor = clip.waveform, stretched_by(clip.effects, clip.waveform.duration_s)
-    path = _path_hz(waveform)
+    path = path_hz(waveform)
     for name, spec in specs_of(waveform).items():
-        of = spec.of if isinstance(spec, ListSpec) else spec
-        if not path and isinstance(of, NumberSpec) and of.unit == "Hz":
-            value = getattr(waveform, name)
-            path = (value,) if of is spec else value[:: max(len(value) - 1, 1)]
+        if not path and isinstance(spec, NumberSpec) and spec.unit == "Hz":
+            path = (getattr(waveform, name),)
     if factor == 1.0 or not path:
         return ""
     ends = (number_text(hz / factor, "Hz", digits=4) for hz in path)
@@ -168,22 +102,6 @@ def fixed_length_text(waveform: Waveform) -> str:
     samples = "" if count == 1 else f" ({count} samples)"
     fixed = "" if specs_of(waveform) else ", fixed"
     return f"{duration_text(waveform.duration_s)}{samples}{fixed}"
-
-
-def _path_hz(waveform: Waveform) -> tuple[float, ...]:
-    """Return the frequencies of a waveform in order; none for a constant frequency."""
-    specs = specs_of(waveform)
-    for ends in _ENDS:
-        if all(name in specs for name in ends):
-            return tuple(getattr(waveform, name) for name in ends)
-    for name, spec in specs.items():
-        if isinstance(spec, PointsSpec):
-            at = next((k for k, column in enumerate(spec.columns) if column.unit == "Hz"), None)
-            if at is not None:
-                path = [point[at] for point in getattr(waveform, name)]
-                turns = tuple(hz for k, hz in enumerate(path) if k == 0 or hz != path[k - 1])
-                return turns if len(turns) <= _MOST_FREQUENCIES else (min(turns), max(turns))
-    return ()
 
 
 def waveforms_of(results: Mapping[str, Any]) -> dict[int, Floats]:

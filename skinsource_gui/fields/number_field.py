@@ -8,6 +8,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QSize, Qt, QTimer, Signal
 
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.display_units import SHOWN_DIGITS, display_unit, number_text, with_unit
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Burst, Editor, new_gesture
 from skinsource_gui.fields.units import (
@@ -15,17 +16,13 @@ from skinsource_gui.fields.units import (
     EDITED_DIGITS,
     FINE,
     PLAIN,
-    SHOWN_DIGITS,
     Ladder,
     clamped,
-    display_unit,
     has_level,
     minus,
-    number_text,
     parse_level,
     range_text,
     stepped,
-    with_unit,
 )
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 from skinsource_gui.qt.layouts import named, show_tip_below, tooltip

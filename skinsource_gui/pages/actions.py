@@ -17,6 +17,7 @@ from skinsource.base.errors import SkinSourceError, counted
 from skinsource.design import edits
 from skinsource.design.design import Design, View
 from skinsource.design.design_file import SHOW_SUFFIX, SUFFIX
+from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import (
     Edit,
     Refusal,
@@ -34,7 +35,6 @@ from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies import scenes
 from skinsource_gui import pages
 from skinsource_gui.fields.editor import new_gesture
-from skinsource_gui.fields.units import value_text
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.frames import DropPlace

@@ -78,7 +78,9 @@ class ShowPage(ToolPage):
         self._lay_out()
         self._add(entries)
         self.list.currentRowChanged.connect(self._show)
-        self.list.doubleClicked.connect(lambda: self.once_released(self._present_selected))
+        self.list.doubleClicked.connect(
+            lambda at: self.once_released(partial(self._present, at.row()))
+        )
         self.list.model().rowsMoved.connect(lambda *_: self._show(self.list.currentRow()))
         self.heading.textEdited.connect(lambda text: self._change(title=text.strip()))
         self.sentence.textEdited.connect(lambda text: self._change(sentence=text.strip()))
@@ -169,7 +171,6 @@ class ShowPage(ToolPage):
         up = self.add_button("show_up", "Move up", "Show it earlier", partial(self.shift, -1))
         down = self.add_button("show_down", "Move down", "Show it later", partial(self.shift, 1))
         remove = self.add_button("show_remove", "Remove", "Remove it from the show", self.remove)
-        self._of_entry = up, down, remove
         form = QtWidgets.QFormLayout()
         for label, field in (
             ("Title", self.heading),
@@ -181,13 +182,13 @@ class ShowPage(ToolPage):
         self._about = page_label("show_about", _ABOUT, tone="dim")
         in_column(self._about, None, of=self.list.viewport())
         left = in_column((self.list, 1), in_row(self.add, up, down, remove, None))
-        hint = "Show it from the selected design"
-        present = self.add_button("show_present", "Present", hint, self._present_selected)
+        hint, first = "Show it from its first design", partial(self._present, 0)
+        present = self.add_button("show_present", "Present", hint, first)
         save = self.add_button("show_save", "Save", "Write the show to its file", self.save)
         close = self.add_button("show_close", "Close", "", self.reject)
         foot = in_row((self.message, 1), present, save, close)
         in_column((in_row((left, 1), (form, 1)), 1), foot, of=self)
-        self._present_button = present
+        self._of_entry = up, down, remove, present
 
     def _add(self, entries: Sequence[Entry]) -> None:
         row = self.list.currentRow() + 1
@@ -209,11 +210,11 @@ class ShowPage(ToolPage):
         item = self.list.item(row)
         entry = None if item is None else item.data(_ENTRY)
         known = isinstance(entry, ShowEntry)
-        for part in (self.heading, self.sentence, self.knob, self.notes, self._present_button):
+        for part in (self.heading, self.sentence, self.knob, self.notes):
             part.setEnabled(known)
         self._about.setVisible(item is None)
-        for part in self._of_entry:
-            part.setEnabled(item is not None)
+        for button in self._of_entry:
+            button.setEnabled(item is not None)
         if isinstance(entry, UnreadEntry):
             self.complain(entry.problem)
         elif self.message.property("tone") == "error":
@@ -237,5 +238,5 @@ class ShowPage(ToolPage):
         if isinstance(entry, ShowEntry) and entry.notes != notes:
             self._change(notes=notes)
 
-    def _present_selected(self) -> None:
-        self.presented.emit(self.entries, self.list.currentRow())
+    def _present(self, row: int) -> None:
+        self.presented.emit(self.entries, row)

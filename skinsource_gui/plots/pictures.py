@@ -28,14 +28,10 @@ from PySide6.QtCore import (
 )
 from PySide6.QtSvg import QSvgGenerator
 
-from skinsource.base.errors import StorageError, counted, sentence
+from skinsource.base.errors import StorageError, sentence
 from skinsource.base.files import write_bytes
-from skinsource.design.amplitudes import amplitude_text
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, audible_inputs
-from skinsource.design.effects.effect import Effect
-from skinsource.design.effects.level import UNCHANGED, Envelope
-from skinsource.design.effects.time import Stretch
+from skinsource.design.describing import stimulus_text
+from skinsource.design.design import Design
 from skinsource.design.labels import SCALINGS, label_of, limb_label
 from skinsource.specs import fields
 from skinsource.specs.models import specs_of
@@ -43,7 +39,6 @@ from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource.studies import scenes
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.inputs import duration_text, full_label
 from skinsource_gui.fields.units import minus
 from skinsource_gui.qt.resources import number_named
 from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, theme_label
@@ -299,22 +294,11 @@ class Picture:
     visible: Any = None
 
 
-# Clips of one input, and inputs, that a caption describes; it counts the rest.
-_MOST_CLIPS, _MOST_INPUTS = 3, 6
 #: Where a line may break: a number stays with its unit.
 BREAKS = re.compile(r"(?<!\d) | (?![^\W\d]|°)")
 
 #: A design with the name under which it is shown.
 Named = tuple[str, Design]
-
-
-def stimulus_text(design: Design) -> str:
-    """Describe what is played, where, and how strong."""
-    audible = audible_inputs(design.inputs)
-    parts = [_input_text(track, design) for track in audible[:_MOST_INPUTS]]
-    if len(audible) > _MOST_INPUTS:
-        parts.append(f"and {counted(len(audible) - _MOST_INPUTS, 'more input')}")
-    return "; ".join(parts) or "No active input"
 
 
 def stimuli_text(named: Sequence[Named]) -> str:
@@ -333,50 +317,6 @@ def common_title(titles: Sequence[str]) -> str:
             break
         common.append(column[0])
     return " · ".join(common)
-
-
-def _input_text(track: Input, design: Design) -> str:
-    clips = [clip for clip in track.clips if not clip.muted]
-    texts = [_clip_text(clip) for clip in clips[:_MOST_CLIPS]]
-    if len(clips) > _MOST_CLIPS:
-        texts.append(counted(len(clips) - _MOST_CLIPS, "more clip"))
-    curve = f", with a gain curve {_points(track.gain_curve)}" if track.gain_curve else ""
-    strength = amplitude_text(design, track)
-    return f"Place {track.location}, {strength}{curve}: {', '.join(texts) or 'no clips'}"
-
-
-def _clip_text(clip: Clip) -> str:
-    parts = full_label(clip.waveform), duration_text(clip.duration_s)
-    onset = f"at {clip.onset_s * 1e3:g} ms" if clip.onset_s else ""
-    gain = f"gain {clip.gain:g}" if clip.gain != 1.0 else ""
-    effects = _effect_texts(clip)
-    through = f"through {', '.join(effects)}" if effects else ""
-    return " ".join(part for part in (", ".join(parts), onset, gain, through) if part)
-
-
-def _effect_texts(clip: Clip) -> list[str]:
-    """Return the texts of the effects of a clip that are on, in their order."""
-    texts, lasts_s = [], clip.waveform.duration_s
-    for effect in clip.effects:
-        changes = not (isinstance(effect, Envelope) and effect.points == UNCHANGED)
-        if effect.on and changes:
-            texts.append(_effect_text(effect, lasts_s))
-        lasts_s = effect.length(lasts_s) if effect.on else lasts_s
-    return texts
-
-
-def _effect_text(effect: Effect, lasts_s: float) -> str:
-    """Return ``"fade"``, ``"an envelope of 12 points"``, or ``"stretch ×2"`` of ``lasts_s``."""
-    if isinstance(effect, Envelope):
-        return f"an envelope {_points(effect.points)}"
-    if isinstance(effect, Stretch):
-        addition = " that keeps frequencies" if effect.pitch == "stays" else ""
-        return f"stretch ×{effect.factor_of(lasts_s):.3g}{addition}"
-    return effect.title.lower()
-
-
-def _points(curve: Sequence[object]) -> str:
-    return f"of {counted(len(curve), 'point')}"
 
 
 # Height of the letters of a caption, as a part of the smaller side of the picture; their limits,

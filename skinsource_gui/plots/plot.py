@@ -282,7 +282,7 @@ class Cursors(QObject):
     Attributes
     ----------
     at
-        Where they stand, SI; None: there are none.
+        Where the user put them, SI; None: there are none.
     """
 
     #: Where the user wants them, SI.
@@ -296,6 +296,15 @@ class Cursors(QObject):
         for rank, line in enumerate(self.lines):
             line.dragged_to.connect(partial(self._move, rank))
 
+    @property
+    def held(self) -> Range | None:
+        """Where they stand: at an end of the curves if the user put them beyond it."""
+        curves = self._plot.curves
+        if self.at is None or curves is None:
+            return self.at
+        first, second = np.clip(self.at, *curves.x_range).tolist()
+        return first, second
+
     def watch(self, view: PlotViewBox) -> None:
         """Show the cursors in a further row."""
         for line in self.lines:
@@ -308,10 +317,10 @@ class Cursors(QObject):
 
     def place(self) -> None:
         """Put the lines where the x axis has the cursors now."""
-        axis = self._plot.x_window.axis
+        axis, at = self._plot.x_window.axis, self.held
         for rank, line in enumerate(self.lines):
-            hidden = self.at is None or (axis.log and self.at[rank] <= 0)
-            line.show_at(None if hidden or self.at is None else axis.position(self.at[rank]))
+            hidden = at is None or (axis.log and at[rank] <= 0)
+            line.show_at(None if hidden or at is None else axis.position(at[rank]))
 
     def put(self, rank: int, value: float) -> None:
         """Ask for the first (0) or the second cursor (1) at a value; the other one makes room."""

@@ -560,7 +560,7 @@ def reading(plot: Plot) -> LegendText:
 
 def measured_text(plot: Plot) -> LegendText | None:
     """Return what the curves do between the cursors; None without cursors."""
-    curves, at = plot.curves, plot.cursors.at
+    curves, at = plot.curves, plot.cursors.held
     if curves is None or curves.measure is None or at is None:
         return None
     measured = curves.measure(at)

@@ -15,6 +15,7 @@ from skinsource.design.design import NUMBERS, Design, Input, View
 from skinsource.design.edits.clips import copy_behind, of_each
 from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.edits.inputs import is_plain_sum
 from skinsource.design.panel_settings import brush_of
 from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
@@ -219,7 +220,7 @@ _OF_INPUTS = "duplicate_input", "remove_input", "mute_input", "solo_input", "sel
 OF_CLIPS = (
     *("split_clips", "fade_in", "fade_out", "repeat_clips", "duplicate_clips", "mute_clips"),
     *("remove_clips", "cut_clips", "copy_effects", "paste_effects", "limit_to_band"),
-    *("draw_clip", "shape_envelope", "stretch_clip", "ungroup_clips"),
+    *("draw_clip", "shape_envelope", "stretch_clip"),
 )
 #: By name of an action, whether it can be done now; others always can.
 ENABLED: dict[str, Condition] = {
@@ -234,6 +235,7 @@ ENABLED: dict[str, Condition] = {
     "keep_match_gain": lambda design, view: view.match_gain(design) != 1.0,
     **_when(lambda _, view: bool(view.selected_clips), *OF_CLIPS),
     **_when(lambda _, view: len(view.selected_clips) > 1, "join_clips", "group_clips"),
+    "ungroup_clips": lambda design, view: any(map(is_plain_sum, _clips(design, view))),
     "equalise_on_skin": lambda design, view: selected_train(design, view) is not None,
     "match_tracks": lambda design, view: len(set(view.selected_inputs) & set(design.ids)) > 1,
 }

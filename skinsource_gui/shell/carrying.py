@@ -12,6 +12,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, QSize, Qt
 
 from skinsource.design.comparing import frequency_of, with_edited
+from skinsource.design.describing import stimulus_text
 from skinsource.design.design import EDITED, Snapshot, shown_snapshot
 from skinsource.design.labels import short_limb_title
 from skinsource.perception.validity import Judged, in_full, in_short
@@ -24,7 +25,6 @@ from skinsource_gui.plots.pictures import (
     PANEL_IN_USE,
     Picture,
     caption_of,
-    stimulus_text,
     with_caption,
 )
 from skinsource_gui.plots.signal_view import SignalExports

@@ -243,7 +243,7 @@ def _offers(leftover: Found) -> list[str]:
         left: UnsavedWork = leftover.left[0]
         sentences.append(
             f"The studio ended before your work on {left.name} was saved. Its copy is from "
-            f"{left.clock()}; later edits are lost."
+            f"{left.clock()}; it may lack your last edits."
         )
     elif leftover.left:
         sentences.append(

@@ -37,7 +37,7 @@ _FRESH_MS = 700
 #: A button of a notice: its text, and what it does.
 Choice = tuple[str, Callable[[], object]]
 _LAID_OUT = (QEvent.Type.Resize, QEvent.Type.LayoutRequest)
-# Width of a card.
+# Width of a card, unless its buttons need more.
 _CARD_LETTERS = 56
 
 
@@ -183,7 +183,8 @@ class Notice(QObject):
         self._label.setFont(font)
         # In letters of any size a line of the card has about as many letters.
         letter_px = self._label.fontMetrics().averageCharWidth()
-        widest = whole.width() if self._passes else _CARD_LETTERS * letter_px
+        card_px = max(_CARD_LETTERS * letter_px, self.card.minimumSizeHint().width())
+        widest = whole.width() if self._passes else card_px
         width = min(widest, whole.width() - (0 if self._passes else 2 * UNIT_PX))
         if at_top:
             text_px = self._label.fontMetrics().horizontalAdvance(text)

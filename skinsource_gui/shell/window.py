@@ -102,6 +102,7 @@ class ClipStretching(QObject):
         if n_clips > 1:
             title = f"Stretch {n_clips} clips"
             label = "Length of the last clip, ms; the others stretch by the same factor"
+        label += "\nFrequencies shift unless the effect leaves them unchanged"
         show_title(self._window)
         length_ms, sure = QtWidgets.QInputDialog.getDouble(
             self._window, title, label, 1e3 * last_s, 1.0, 600e3, 1

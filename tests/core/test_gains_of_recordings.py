@@ -1,4 +1,4 @@
-"""An amplitude is a plain factor on a recording that was not scaled to a peak of 1."""
+"""An amplitude is a plain factor on what does not peak at 1, such as a recording."""
 
 from dataclasses import replace
 
@@ -34,7 +34,8 @@ def clip(samples, **changes):
         ((ss.Clip(), clip(RECORDED)), True),
         ((ss.Clip(), clip(RECORDED, muted=True)), False),
         ((clip(RECORDED, muted=True),), True),
-        ((ss.Clip(), clip(SCALED)), False),
+        ((ss.Clip(), clip(SCALED, onset_s=1.0)), False),
+        ((ss.Clip(gain=0.5),), True),
     ],
 )
 def test_it_is_one_where_something_that_sounds_has_its_own_size(clips, expected):

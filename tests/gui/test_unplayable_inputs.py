@@ -46,6 +46,7 @@ def test_it_is_said_once_and_marked(window, design, settle):
     good, bad = content(window).lanes
     assert window.notice.text.startswith(f"Input at place {bad.track.location}")
     assert bad.problem.startswith(window.notice.text.removesuffix("."))
+    assert all(each.width() >= each.sizeHint().width() for each in window.notice._choices)
     messages = [window.panel("skin").map.content.message]
     messages += [plot_of(window.panel(name)).message for name in ("traces", "spectra")]
     assert messages == ["", "", ""]

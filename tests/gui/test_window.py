@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QTextBrowser, QWidget
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QLabel, QTextBrowser, QWidget
 
 from benchmarks.window_figures import SCREENS, figures_of
 from skinsource import Design, View, load_limb, predict, project_axes, track
@@ -35,6 +35,8 @@ def test_the_first_window_shows_a_prediction_of_the_start_design(window, settle)
     np.testing.assert_allclose(
         outcomes[-1].values["selected_traces"], expected, atol=1e-12 * np.abs(expected).max()
     )
+    # What was being prepared was no error.
+    assert window.findChild(QLabel, "inputs_problem").property("tone") == "dim"
 
 
 def test_every_control_says_what_it_is(window):

@@ -42,20 +42,30 @@ _MEANINGS_OF_DRIVES: dict[Scaling, str] = {
 _ROUNDING = 1e-3
 # Least and largest peak of what is meant to peak at 1: samples miss up to a tenth of a tone.
 _LEAST_PEAK, _MOST_PEAK = 0.9, 1.01
+# Peaks from here on are not said: samples at 1300 Hz miss less of the crest of a tone below 260 Hz.
+_LEAST_UNSAID = 0.95
 
 
 def is_gain(design: Design, track: Input, peak: float | None = None) -> bool:
     """Whether the amplitude of an input is a plain factor on what has its own size.
 
-    Recordings have one, and what has another ``peak`` than 1 before the amplitude, where that is
-    known.  Under upstream scaling it is none, because there the amplitude is the peak on the skin.
-    Muted clips count where all are muted.
+    Recordings have one, and what has another ``peak`` than 1 before the amplitude; it is computed
+    where it is not given.  Under upstream scaling it is none, because there the amplitude is the
+    peak on the skin.  Muted clips count where all are muted.
     """
+    if design.scaling == "upstream":
+        return False
     heard = tuple(clip for clip in track.clips if not clip.muted) or track.clips
-    return design.scaling != "upstream" and (
-        not _LEAST_PEAK <= (peak or 1.0) <= _MOST_PEAK
-        or any(_has_its_own_size(clip.waveform) for clip in heard)
-    )
+    if any(_has_its_own_size(clip.waveform) for clip in heard):
+        return True
+    peak = peak_before_amplitude(design, track) if peak is None else peak
+    return not _LEAST_PEAK <= (peak or 1.0) <= _MOST_PEAK
+
+
+def says_peak(design: Design, track: Input, peak: float | None) -> bool:
+    """Whether the ``peak`` of an input before its amplitude is said beside the amplitude."""
+    differs = not _LEAST_UNSAID <= (peak or 1.0) <= _MOST_PEAK
+    return design.scaling != "upstream" and (differs or is_gain(design, track, peak))
 
 
 def peak_text(design: Design, track: Input, peak: float | None = None) -> str:
@@ -78,10 +88,11 @@ def peak_before_amplitude(design: Design, track: Input) -> float | None:
 
 def amplitude_text(design: Design, track: Input) -> str:
     """Return the amplitude of an input: ``"2 m/s²"``, or ``"gain 2, peak 9.76 m/s²"``."""
-    if not is_gain(design, track):
-        return f"{track.amplitude:g} {amplitude_unit(design)}"
-    peak = peak_text(design, track)
-    return f"gain {track.amplitude:g}" + (f", peak {peak}" if peak else "")
+    peak, amplitude = peak_before_amplitude(design, track), f"{track.amplitude:g}"
+    gain = is_gain(design, track, peak)
+    text = f"gain {amplitude}" if gain else f"{amplitude} {amplitude_unit(design)}"
+    said = peak is not None and says_peak(design, track, peak)
+    return f"{text}, peak {peak_text(design, track, peak)}" if said else text
 
 
 def amplitude_unit(design: Design) -> str:
@@ -155,7 +166,7 @@ def _has_its_own_size(waveform: Waveform) -> bool:
     return waveform.samples.unit != "" or abs(waveform.samples.peak - 1.0) > _ROUNDING
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=128)
 def _peak_of(
     clips: tuple[Clip, ...], gain_curve: Curve, sample_rate_hz: float, place: int
 ) -> float:

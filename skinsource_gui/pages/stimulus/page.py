@@ -21,6 +21,7 @@ from skinsource.base.conventions import Floats
 from skinsource.base.errors import SkinSourceError, Stopped, counted, sentence
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design, View, audible_inputs
+from skinsource.design.display_units import display_unit, value_text
 from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import repair_for_actuators
 from skinsource.export.formats.format import ChannelOverview
@@ -36,7 +37,7 @@ from skinsource.studies.sweeps.plan import HIGHEST_DB, LOWEST_DB, names_in
 from skinsource.studies.sweeps.stimulus_set import MOST_CONDITIONS, Condition, export_set
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.editors import NumbersEditor
-from skinsource_gui.fields.units import display_unit, level_text, minus, output_text, value_text
+from skinsource_gui.fields.units import level_text, minus, output_text
 from skinsource_gui.pages.files.export_parts import ExportPart, scrolled_fields
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET
 from skinsource_gui.pages.page import RowTable

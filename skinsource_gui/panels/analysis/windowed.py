@@ -12,6 +12,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from skinsource.base.conventions import Floats
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import match_text
+from skinsource.design.describing import duration_text
 from skinsource.design.design import (
     WINDOW_COUNT,
     WINDOW_LENGTH,
@@ -25,7 +26,6 @@ from skinsource.limbs.extent import Extent
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.windows import Windows
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.inputs import duration_text
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.colour_maps import colour_table

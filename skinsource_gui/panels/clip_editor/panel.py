@@ -1,6 +1,7 @@
 """The panel of the selected clip, large, with its tools and its spectrum."""
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
@@ -10,12 +11,16 @@ from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError, sentence
 from skinsource.design import edits
 from skinsource.design.clips import Clip
+from skinsource.design.describing import duration_text, figure_text
 from skinsource.design.design import Design, View
 from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
-from skinsource.design.edits.effects import bake_clip, time_effects_end
+from skinsource.design.edits.effects import bake_clip, changes_time, time_effects_end
 from skinsource.design.effects.breakpoints import Points, with_point_after
+from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.level import UNCHANGED, Envelope
+from skinsource.design.effects.playing import played
+from skinsource.design.effects.time import Trim
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Drawn
@@ -24,7 +29,7 @@ from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.synthesis import Column, Curve, bends_of, curve_of
 from skinsource_gui.fields.editor import Burst
-from skinsource_gui.fields.inputs import clip_text, duration_text, figure_text, waveforms_of
+from skinsource_gui.fields.inputs import clip_text, waveforms_of
 from skinsource_gui.panels.clip_editor.tools import EnvelopeTool, GlideTool, Pen, ViewTool
 from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, Tool
 from skinsource_gui.qt.buttons import page_label, tool_button
@@ -346,7 +351,7 @@ class ClipEditorPanel(Panel):
         self.design, self.view = Design(limb=""), View()
         self.rate_hz = facts_of("").sample_rate_hz
         self._waveforms: Mapping[int, Floats] = {}
-        self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
+        self._raw: tuple[Any, float, Any, Floats | None] = (None, 0.0, (), None)
         self._unplayable: frozenset[int] = frozenset()
         self._view_tool = ViewTool(self)
         self._pen, self._envelope = PenEdits(self), EnvelopeEdits(self)
@@ -421,8 +426,7 @@ class ClipEditorPanel(Panel):
     def _switch_to(self, tool: str) -> None:
         self._canvas.use(self._tools[tool])
         self._toolbar.tools[tool].setChecked(True)
-        if self.clip is not None:
-            self._show_text(self.clip)
+        self._show()
 
     def _show(self) -> None:
         clip = self.clip
@@ -439,13 +443,15 @@ class ClipEditorPanel(Panel):
         if self._canvas.tool is self._glide.tool and not self._glide.can_edit(clip):
             self.use("look")
         self._toolbar.tools["glide"].setVisible(self._glide.can_edit(clip))
-        raw = self._sampled(clip)
-        played = self._waveforms.get(clip.id)
-        if not clip.effects and raw is not None:
-            played = raw
-        self._canvas.show_clip(clip, raw, played, self.rate_hz)
+        timed = tuple(effect for effect in clip.effects if changes_time(effect))
+        # Points of a glide lie in the time of its waveform.
+        kept = () if self._canvas.tool is self._glide.tool else timed
+        raw, plays = self._sampled(clip.waveform, kept), self._waveforms.get(clip.id)
+        if raw is not None and kept == tuple(effect for effect in clip.effects if effect.on):
+            plays = raw
+        self._canvas.show_clip(clip, raw, plays if kept == timed else None, self.rate_hz)
         band_hz = facts_of(self.design.limb).band_hz
-        self._spectrum.show_samples(played, self.rate_hz, band_hz)
+        self._spectrum.show_samples(plays, self.rate_hz, band_hz)
         self._show_text(clip)
 
     def _show_text(self, clip: Clip) -> None:
@@ -456,16 +462,19 @@ class ClipEditorPanel(Panel):
         fades = tool is self._envelope.tool and any(faded_ends(clip))
         self._toolbar.show_text(text, enabled=True, hint=_FADES if fades else tool.hint)
 
-    def _sampled(self, clip: Clip) -> Floats | None:
-        """Return what the clip plays before its effects; it is sampled once for each waveform."""
-        waveform, rate_hz, samples = self._raw
-        if waveform is not clip.waveform or rate_hz != self.rate_hz:
-            try:
-                samples = clip.waveform.samples(self.rate_hz)
-            except InvalidInputError:
+    def _sampled(self, waveform: Waveform, timed: tuple[Effect, ...]) -> Floats | None:
+        """Return what effects leave of a waveform that do nothing but trim, once sampled; or None.
+
+        Stretching a long one takes seconds.
+        """
+        before, rate_hz, timed_before, samples = self._raw
+        if before is not waveform or (rate_hz, timed_before) != (self.rate_hz, timed):
+            samples = None
+            if all(isinstance(effect, Trim) for effect in timed):
                 # Other panels show the reason.
-                samples = None
-            self._raw = (clip.waveform, self.rate_hz, samples)
+                with suppress(InvalidInputError):
+                    samples = played(waveform, timed, self.rate_hz)
+            self._raw = (waveform, self.rate_hz, timed, samples)
         return samples
 
     def _press(self, event: QtGui.QKeyEvent) -> None:

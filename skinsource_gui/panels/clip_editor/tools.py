@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 
 from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.display_units import value_text
 from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.effects import breakpoints as algebra
 from skinsource.design.effects.breakpoints import Points
@@ -20,7 +21,6 @@ from skinsource.signals.synthesis import Column, Stroke, drawn_over, zeroed
 from skinsource.specs.breakpoints import SEGMENTS, Breakpoint, Segment
 from skinsource_gui.fields.curve_field import fill_ground_menu, fill_point_menu
 from skinsource_gui.fields.editor import new_gesture
-from skinsource_gui.fields.units import value_text
 from skinsource_gui.panels.clip_editor.view import REACH, Button, EditorContent, Modifier, Tool
 from skinsource_gui.plots.ranges import linear_ticks, number_text
 from skinsource_gui.qt.frames import paint_card
@@ -310,10 +310,12 @@ class Pen(Tool):
         self._changed = False
 
     def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
-        if content.drawn is None or self._first is not None:
+        if self._first is not None:
             return
         self._zeroes = button == Button.RightButton
         if (not self._zeroes and button != Button.LeftButton) or not self.may_begin():
+            return
+        if content.drawn is None:
             return
         self._before, self._number, self._changed = content.drawn, new_gesture(), False
         self._first = self._place(content, at)

@@ -44,7 +44,7 @@ class EditorContent:
     Attributes
     ----------
     drawn : (n_times,)
-        The waveform before any effect, or None while it is not known.
+        What it would play if effects did nothing but trim, or None where that is not known.
     played : (n_times,)
         What the clip plays after its effects, or None.
     sample_rate_hz
@@ -153,7 +153,7 @@ class Tool(QObject):
 
 _TICK_PX, _ROW_PX = 64.0, 28.0
 _PALE = 0.4
-_UPDATING = "updating…"
+_UPDATING, _GREY = "updating…", "grey: before effects"
 # From so many px for each sample on, all are marked.
 _DOTS_PX = 6.0
 
@@ -208,7 +208,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         painter.drawRect(content.area)
 
     def _paint_course(self, painter: QtGui.QPainter, content: EditorContent) -> None:
-        """Paint what the clip plays, over its waveform before any effect."""
+        """Paint what the clip plays, over what it would play without effects."""
         played, ground = content.played, QtGui.QColor(current_theme().base)
         drawn = content.drawn
         place = (current_theme().name, content.scale, content.area, content.high)
@@ -220,6 +220,9 @@ class EditorItem(pyqtgraph.GraphicsObject):
             if drawn is not None and drawn is not played:
                 dim = QtGui.QColor(current_theme().dim)
                 self._paint_curve(on_image, content, drawn, dim, _PALE)
+                on_image.setPen(dim)
+                corner = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom
+                on_image.drawText(content.area.adjusted(4, 0, 0, -2), corner, _GREY)
             if played is not None:
                 opacity = _PALE if self._stale else 1.0
                 self._paint_curve(

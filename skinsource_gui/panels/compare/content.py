@@ -658,8 +658,7 @@ class OfFrequencies(Kind):
         own_hz = frequency_of(design)
         if own_hz is None:
             return ()
-        others = (hz for hz in settings.frequencies_hz if hz != own_hz)
-        in_order = sorted((own_hz, *others))
+        in_order = sorted({own_hz, *settings.frequencies_hz})
         return tuple(design.limb if hz == own_hz else hz for hz in in_order)
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
@@ -704,7 +703,7 @@ def lengths_text(compared: Sequence[Compared]) -> str:
     if not lengths_s[1:]:
         return ""
     shortest, *_, longest = lengths_s
-    return f"over {shortest:g} to {longest:g} s; differences and means over {longest:g} s"
+    return f"{shortest:g} to {longest:g} s long; differences and means over {longest:g} s"
 
 
 def _with_lengths(compared: Sequence[Compared], names: Sequence[Names]) -> Sequence[Names]:

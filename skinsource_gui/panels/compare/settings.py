@@ -18,7 +18,6 @@ FREQUENCIES = ListSpec(
     label="Frequencies",
     of=NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=1e5),
     most=MOST_SIDE_BY_SIDE - 1,
-    different=True,
     hint="Frequencies beside that of the design",
 )
 
@@ -39,7 +38,7 @@ class CompareSettings(fields.CheckedModel):
         Names of the chosen limbs with spaces between; empty: those that are related to the one of
         the design, see `skinsource.design.comparing.related_limbs`.
     frequencies_hz
-        At which frequencies a design is shown beside its own one.
+        At which frequencies a design is shown beside its own one; equal ones count once.
     """
 
     of: str = fields.choice("snapshots", OF)

@@ -28,7 +28,8 @@ from skinsource.design.amplitudes import amplitude_spec, amplitude_unit, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
 from skinsource.design.comparing import with_edited
 from skinsource.design.design import AMPLITUDE_GAIN, EDITED, Design, Input, View
-from skinsource.design.edits.edit import clip_of, leading_input
+from skinsource.design.display_units import value_text
+from skinsource.design.edits.edit import Edit, clip_of, leading_input
 from skinsource.design.panel_settings import (
     AMPLITUDE,
     ONSET,
@@ -47,7 +48,7 @@ from skinsource.studies import scenes
 from skinsource.studies.checking import bands_shown, proportion, strengths_of
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import DRAG_BEGINS_PX, NumberField
-from skinsource_gui.fields.units import axis_unit, minus, output_text, parse_number, value_text
+from skinsource_gui.fields.units import axis_unit, minus, output_text, parse_number
 from skinsource_gui.panels.compare.content import (
     ALL_AXES,
     KINDS,
@@ -341,9 +342,11 @@ _SUNK_DB = 12.0
 _RESTS_MS = 1000
 
 
-# Begins what stays true; ends a title that numbers were left out of; a number and its unit.
+# Begins what stays true; ends a title that numbers were left out of; a number and its unit; a
+# level, share or length, which follows from other numbers.
 _LASTING, _EDITED = ("Try", "Measured", "The skin itself"), " · edited"
 _QUANTITY = re.compile(r"(\d+(?:[.,]\d+)?)[\s-]?([^\W\d]\S*?)(?=[\s,.:;()-]|$)")
+_RESULT = re.compile(r"\d\s?(?:dB|%|[cmµ]m)")
 
 
 class StagePanel(MapsPanel):
@@ -632,8 +635,9 @@ class StagePanel(MapsPanel):
         said = words
         if now != title or design.inputs != before.inputs:
             # What was said of other numbers is no longer true.
+            spec = self._turned_alone(before, design, view)
             parts = re.split(r"(?<=\.) (?=[A-Z])", words)
-            said = " ".join(p for p in parts if p.startswith(_LASTING) or not re.search(r"\d", p))
+            said = " ".join(p for p in parts if p.startswith(_LASTING) or not _says(p, spec))
         # The end of a title says which of them it is.
         texts = title, now.removesuffix(_EDITED)
         title, now = (common_title([text, *others]) or text for text in texts)
@@ -641,6 +645,16 @@ class StagePanel(MapsPanel):
         self._said = ((self.heading, title, now), (self.sentence, words, said))
         if self._said != shown:
             self._fit_letters()
+
+    def _turned_alone(self, before: Design, design: Design, view: View) -> NumberSpec | None:
+        """Return the number that was turned where a design of one's own differs in no other."""
+        number = _number(design, view)
+        if number is None or scenes.title_of(design) != design.title:
+            return None
+        track, name, spec, value = number
+        ids = view.selected_inputs or (track.id,)
+        outcome = edits.change_field(before, view, ids, name, value)
+        return spec if isinstance(outcome, Edit) and outcome.design == design else None
 
     def _title_now(self, design: Design, view: View) -> str:
         """Return the title of a design with the number that was turned since it was first said."""
@@ -652,11 +666,9 @@ class StagePanel(MapsPanel):
         (_, _, spec, then), (*_, value) = filter(None, numbers)
 
         def said(match: re.Match[str]) -> str:
-            try:
-                number = parse_number(f"{match[1]} {match[2]}", spec)
-            except InvalidInputError:
-                return match[0]
-            return value_text(value, spec.unit) if isclose(number, then, rel_tol=5e-3) else match[0]
+            number = _number_said(match, spec)
+            other = number is None or not isclose(number, then, rel_tol=5e-3)
+            return match[0] if other else value_text(value, spec.unit)
 
         live = _QUANTITY.sub(said, title)
         if live != title:
@@ -707,8 +719,9 @@ class StagePanel(MapsPanel):
         if self._held_ends is not None and not (passes or self._passes):
             end_s = self._held_ends[0][1]
         self._passes = passes
-        curves, noisy = [], noisy_outputs(self.compared[0])
+        curves = []
         for k, loop, gain in known:
+            noisy = noisy_outputs(self.compared[k])
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
             if self._together:
                 results = self.compared[k].values or {}
@@ -717,7 +730,8 @@ class StagePanel(MapsPanel):
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             # Of another design the loudest part may lie where this one has ended.
             for row, number in enumerate(kept if x.size else ()):
-                called = _names(number, limb, noisy) if alone else names[k]
+                called = _names(number, limb) if alone else names[k]
+                called = tuple(f"{each}{' noise' * (number in noisy)}" for each in called)
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         self.strip.in_rows = self.moving.passes and bool(curves)
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
@@ -845,10 +859,24 @@ def _fits_of(
     return curves
 
 
-def _names(number: int, limb: str, noisy: Sequence[int]) -> Names:
-    (name,), noise = output_names((number,), limb), " noise" * (number in noisy)
-    names = output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
-    return tuple(f"{each}{noise}" for each in names)
+def _names(number: int, limb: str) -> Names:
+    (name,) = output_names((number,), limb)
+    return output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
+
+
+def _number_said(match: re.Match[str], spec: NumberSpec) -> float | None:
+    """Return a number in a text, SI; None: it is of another quantity."""
+    try:
+        return parse_number(f"{match[1]} {match[2]}", spec)
+    except InvalidInputError:
+        return None
+
+
+def _says(sentence: str, turned: NumberSpec | None) -> bool:
+    """Whether a sentence says a number of what was turned, or follows from it; None: any number."""
+    if turned is None or _RESULT.search(sentence):
+        return re.search(r"\d", sentence) is not None
+    return any(_number_said(each, turned) is not None for each in _QUANTITY.finditer(sentence))
 
 
 def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] | None:

@@ -11,8 +11,15 @@ from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 
 from skinsource.base.conventions import Band, Floats
 from skinsource.design import edits
-from skinsource.design.amplitudes import amplitude_spec, is_gain, peak_before_amplitude, peak_text
+from skinsource.design.amplitudes import (
+    amplitude_spec,
+    is_gain,
+    peak_before_amplitude,
+    peak_text,
+    says_peak,
+)
 from skinsource.design.clips import GAIN, ONSET, Clip
+from skinsource.design.describing import DURATION_FIELD
 from skinsource.design.design import (
     AMPLITUDE,
     AMPLITUDE_GAIN,
@@ -55,7 +62,6 @@ from skinsource_gui.fields.grid import (
     forget_typing,
 )
 from skinsource_gui.fields.inputs import (
-    DURATION_FIELD,
     FieldChanges,
     fixed_length_text,
     played_hz_text,
@@ -112,8 +118,6 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
 _TITLE = replace(TITLE, hint="Of the window, pictures and exported files")
 _SENTENCE = replace(SENTENCE, hint="Below the title on the stage; begins the notes")
 _CLIP_GAIN = replace(GAIN, label="Clip gain")
-# Samples at 1300 Hz miss the crest of a tone below 260 Hz by less than 5 %.
-_LEAST_PEAK, _MOST_PEAK = 0.95, 1.01
 #: What follows an amplitude, by the scaling of the design.
 _MEANINGS = {
     "probe": "at the probe",
@@ -239,6 +243,10 @@ class InputFields(QObject):
             cell.set_value(value)
             different = {value, *(other.get(cell.name) for other in rest)} - {None}
             cell.show_mixed(len(different) > 1)
+
+    def start_over(self) -> None:
+        """Forget what can be typed again: another design has clips and tracks of its numbers."""
+        self._gain_of = self._curve_of = None
 
     def show_strength(self, amplitude: NumberSpec, peak: str) -> None:
         """Say what an amplitude is; ``peak``: the resulting one."""
@@ -515,6 +523,9 @@ class InspectorPanel(Panel):
         self._stack.setCurrentWidget(self._editor)
         self.setFocusProxy(self._fields.place)
 
+    def start_over(self) -> None:
+        self._fields.start_over()
+
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._waveforms, self._rate_hz = waveforms_of(results), results["sample_rate_hz"]
         self._played = played_of(results)
@@ -592,9 +603,7 @@ class InspectorPanel(Panel):
         known = [self._peaks_of(each) for each in self._batch]
         if gain := any(is_gain(design, whole, highest) for whole, highest, _ in known):
             amplitude = AMPLITUDE_GAIN
-        # Upstream, an amplitude is a peak on the skin.
-        differs = any(heard and not _LEAST_PEAK <= heard <= _MOST_PEAK for *_, heard in known)
-        if gain or (differs and design.scaling != "upstream"):
+        if gain or any(says_peak(design, whole, heard) for whole, _, heard in known):
             peak = _text_of_all(str, (peak_text(design, whole, heard) for whole, _, heard in known))
         if track.amplitude < 0:
             amplitude = replace(amplitude, hint="Polarity inverted")

@@ -14,11 +14,11 @@ from skinsource.actuators.equalising import Equaliser, curves, mean_of
 from skinsource.actuators.prediction import Prediction, breaches
 from skinsource.base.conventions import LARGEST_VELOCITY_M_PER_S, Band, Floats
 from skinsource.base.decibels import decibels
+from skinsource.design.display_units import value_text
 from skinsource.engine.actuator_demand import LONGEST_S, Demand
 from skinsource.limbs.locations import input_name
 from skinsource.specs import fields
 from skinsource.specs.spec import SwitchSpec
-from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.qt.buttons import page_button, page_label, show_or_hide

@@ -25,6 +25,7 @@ from skinsource.base.conventions import Band
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit, equaliser_of
 from skinsource.design.design import Design, View
+from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import repair_for_actuators
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -48,7 +49,7 @@ from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid, LabelledCell
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
-from skinsource_gui.fields.units import minus, value_text
+from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.output.figures import (
     DemandView,
     OutputSettings,
@@ -394,8 +395,8 @@ class ActuatorChoices(QObject):
 
     Attributes
     ----------
-    grid, parameters
-        The cells that are always in sight, and the parameters.
+    actuator, equaliser, parameters
+        The cell of each, and of their parameters.
     about, reset, open
         Where the parameters come from; gives them back; opens a measured response.
     """
@@ -408,7 +409,7 @@ class ActuatorChoices(QObject):
         self._actuation: Actuation | None = None
         self._cells: dict[str, FieldCell] = {}
         self._cached_cells: dict[tuple[str, Spec], FieldCell] = {}
-        self.grid, self.parameters = FieldGrid(), FieldGrid()
+        self.actuator, self.equaliser, self.parameters = (FieldGrid() for _ in range(3))
         self.about = page_label("actuator_about", tone="dim")
         self.about.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
         self.reset = page_button(
@@ -442,8 +443,10 @@ class ActuatorChoices(QObject):
         cells = {field: self._cached_cells[field, spec] for field, spec in specs.items()}
         if cells != self._cells:
             self._cells = cells
-            self.grid.show_cells(list(cells.values())[:2])
-            self.parameters.show_cells(list(cells.values())[2:])
+            rows = list(cells.values())
+            self.actuator.show_cells(rows[:1])
+            self.equaliser.show_cells(rows[1:2])
+            self.parameters.show_cells(rows[2:])
         for field, cell in cells.items():
             cell.set_value(fields[field][1])
         self.about.setText(text)
@@ -604,7 +607,7 @@ class OutputPanel(Panel):
         self._show_text(played)
 
     def _lay_out(self) -> None:
-        """Lay the parts out from the skin to the device."""
+        """Lay the parts out from the skin to the device; no row comes and goes above the switch."""
         self._details, choices = QtWidgets.QWidget(), self.choices
         in_column(
             choices.parameters,
@@ -618,9 +621,10 @@ class OutputPanel(Panel):
             gap_px=UNIT_PX // 2,
         )
         parts = (
-            choices.grid,
+            choices.actuator,
             self.through,
             self.through_text,
+            choices.equaliser,
             self.figures,
             self.fields.main,
             self.rows,

@@ -112,6 +112,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
     drawn = magnitude if each_axis else magnitude[:, None]
     if settings.averaged:
         drawn = mean_of_bins(drawn, MEAN_OF_BINS)
+    measure = partial(measured_between, results, settings, drawn)
     scaled = _SCALINGS[span][-3].partition(";")[0]
     notes = [f"spectrum: {scaled}{_averaged_text(settings, frequency_hz)}"]
     span_shown = None
@@ -141,28 +142,32 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         heading=heading,
         peaks=peaks,
         matched=match_text(results["match_gain"]),
-        measure=partial(measured_between, results, settings),
+        measure=measure,
     )
 
 
 def measured_between(
-    results: Mapping[str, Any], settings: SpectraSettings, between_hz: Range
+    results: Mapping[str, Any], settings: SpectraSettings, smoothed: Floats, between_hz: Range
 ) -> Measured:
-    """Return the peaks between two frequencies, and over the whole record what the part sums to."""
+    """Return the peaks between two frequencies, and over the whole record what the part sums to.
+
+    Peaks are those of ``smoothed``, (..., n_bins), which is drawn; sums those of the spectra.
+    """
     span = results["span"]
     frequency_hz, magnitude = results[quantity_of(settings, span)]
     first, last = np.searchsorted(frequency_hz, between_hz)
     part = slice(min(first, frequency_hz.size - 1), max(last, first + 1))
-    curves = magnitude.reshape(-1, frequency_hz.size)[:, part]
+    exact, curves = (each.reshape(-1, frequency_hz.size)[:, part] for each in (magnitude, smoothed))
     # Of what rings longer than the record there are more lines.
     finer = results["response_samples"] / results["record_samples"]
+    of_what = " of the unsmoothed spectrum" if settings.averaged else ""
     rows = []
-    for curve in curves:
+    for lines, curve in zip(exact, curves, strict=True):
         at = int(curve.argmax())
         peak, at_hz = float(curve[at]), float(frequency_hz[part][at])
         omega = 2.0 * np.pi * at_hz
         # Lines of a spectrum are amplitudes, those of a peak hold are not there at the same time.
-        rms = float(np.sqrt(np.sum(np.square(curve)) / 2.0 / finer)) if span == "record" else None
+        rms = float(np.sqrt(np.sum(np.square(lines)) / 2.0 / finer)) if span == "record" else None
         moves = (
             f", {significant(peak / omega * 1e3)} mm/s, {significant(peak / omega**2 * 1e6)} µm"
             if omega
@@ -170,7 +175,7 @@ def measured_between(
         )
         text = f"peak {significant(peak)} m/s² at {significant(at_hz)} Hz"
         short = f"{significant(peak)} at {significant(at_hz)}"
-        rms_text = "" if rms is None else f"; RMS {significant(rms)} m/s²"
+        rms_text = "" if rms is None else f"; RMS {significant(rms)} m/s²{of_what}"
         rows.append((short, f"{text}{moves}{rms_text}"))
     axes = facts_of(results["limb"]).axes if settings.layout == "axes" else ("",)
     names = [

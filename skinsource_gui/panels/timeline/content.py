@@ -12,13 +12,13 @@ from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.base.decibels import decibels
 from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, View
+from skinsource.design.display_units import value_text
 from skinsource.design.edits.cutting import FadedEnd, faded_ends
 from skinsource.design.edits.edit import Edit, clips_of, leading_clip
 from skinsource.design.effects.breakpoints import Points, curve_at
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, NumberSpec
-from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.ranges import number_text
 from skinsource_gui.plots.time_scale import Range, TimeScale, grid_step_s
 from skinsource_gui.qt.keys import MOUSE, key_text

@@ -9,12 +9,12 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from skinsource.design import edits
 from skinsource.design.clips import Marker
 from skinsource.design.design import Design, View
+from skinsource.design.display_units import value_text
 from skinsource.design.edits.clips import SAME_S
 from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects.breakpoints import Points, moved
 from skinsource_gui.fields.editor import new_gesture
-from skinsource_gui.fields.units import value_text
 from skinsource_gui.panels.timeline.content import (
     Box,
     GainStrip,

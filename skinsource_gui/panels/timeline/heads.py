@@ -31,8 +31,10 @@ from PySide6.QtCore import (
 
 from skinsource.base.conventions import Floats
 from skinsource.design import edits
-from skinsource.design.amplitudes import amplitude_spec, amplitude_text, amplitude_unit, is_gain
+from skinsource.design.amplitudes import amplitude_spec, amplitude_unit, is_gain
+from skinsource.design.describing import duration_text
 from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, View, audible_inputs
+from skinsource.design.display_units import SHOWN_DIGITS, number_text, value_text
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, clip_of
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
@@ -44,11 +46,10 @@ from skinsource_gui.fields.inputs import (
     Entry,
     clip_text,
     clips_text,
-    duration_text,
     fill_inputs_menu,
 )
 from skinsource_gui.fields.number_field import FINISHERS, NumberField, makes_step
-from skinsource_gui.fields.units import SHOWN_DIGITS, minus, number_text, parse_level, value_text
+from skinsource_gui.fields.units import minus, parse_level
 from skinsource_gui.panels.timeline.content import shown_gain_curves, toggle_gain_curves
 from skinsource_gui.qt.buttons import paint_swatch, passing_menu, text_colour_on
 from skinsource_gui.qt.frames import drop_line
@@ -141,13 +142,12 @@ def text_of(head: Head, design: Design, view: View) -> str:
     if clip is not None:
         length = duration_text(clip.duration_s)
         played = f"{clip_text(clip)} · {length}{clips_text(len(track.clips))}"
-    level = amplitude_text(design, track)
-    if is_gain(design, track):
-        level = f"{AMPLITUDE_GAIN.label} {track.amplitude:g}"
+    gain, unit = f"{AMPLITUDE_GAIN.label} {track.amplitude:g}", amplitude_unit(design)
+    level = gain if is_gain(design, track) else f"{track.amplitude:g} {unit}"
     level += f" ({level_text(track.amplitude)})"
     if (peak := head.peak) is not None:
         rate_hz = facts_of(design.limb).sample_rate_hz
-        level += f", peak {peak:.3g} {amplitude_unit(design)}, sampled at {rate_hz:g} Hz"
+        level += f", peak {peak:.3g} {unit}, sampled at {rate_hz:g} Hz"
     inverted = "\nPolarity inverted" if track.amplitude < 0 else ""
     return f"{played}\n{level}{inverted}"
 

@@ -11,6 +11,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 from skinsource.design import edits
 from skinsource.design.clips import NAME, Clip
 from skinsource.design.design import Design, View
+from skinsource.design.display_units import value_text
 from skinsource.design.edits.clips import copy_behind
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.motions import motion_of
@@ -20,7 +21,6 @@ from skinsource.design.waveforms.samples import Layers
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import Burst
-from skinsource_gui.fields.units import value_text
 from skinsource_gui.panels.timeline import gestures
 from skinsource_gui.panels.timeline.clipboard import NO_CLIPS
 from skinsource_gui.panels.timeline.content import (

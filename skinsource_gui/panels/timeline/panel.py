@@ -31,8 +31,8 @@ from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row, named
-from skinsource_gui.qt.theme import UNIT_PX
-from skinsource_gui.state.panel import Panel
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.panel import PREPARING, Panel
 
 # Long designs count past what the bar can hold in smaller steps.
 _STEPS_PER_S = 100_000
@@ -206,7 +206,7 @@ class TimelinePanel(Panel):
         grid.setRowStretch(1, 1)
         hint = how_to_add("a track")
         self._empty = page_label("inputs_empty", hint, tone="dim", centred=True)
-        self._foot = page_label("inputs_problem", tone="error")
+        self._foot = page_label("inputs_problem")
         self._foot.setMargin(UNIT_PX)
         self._foot.hide()
         self._stack = QtWidgets.QStackedLayout()
@@ -274,6 +274,7 @@ class TimelinePanel(Panel):
         self._computed_clips, self._waveforms, self._played = {}, {}, {}
         self._show_heads()
         self.show_staleness(self.is_stale)
+        set_tone(self._foot, "dim" if reason == PREPARING else "error")
         show_or_hide(self._foot, reason)
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:

@@ -114,11 +114,11 @@ def test_the_methods_text_has_the_numbers_of_the_design():
     assert 60 <= len(text.split()) <= 100
     levels_db = ss.evaluate(single, "output_levels_db")["output_levels_db"]
     for words in (
-        "Gabor wavelet 200 Hz, 25.5 ms from 60 ms, 0.5 m/s², at Digit II, pad (place 7)",
+        "Gabor wavelet 200 Hz (cycles 4), 25.5 ms at 60 ms, 0.5 m/s², at Digit II, pad (place 7)",
         "Amplitudes: acceleration of the probe",
         "72 outputs of the limb Synthetic 1 (175 mm)",
         f"\N{MINUS SIGN}{-levels_db.max():.1f} dB re 1 m/s² at output {np.argmax(levels_db) + 1}.",
-        "FLAC, 24 bit (44.1 kHz, full scale = ",
+        "Drives are written as FLAC, 24 bit (44.1 kHz, full scale = ",
         "Equalised for mine (regularised inverse).",
     ):
         assert words in text
@@ -128,6 +128,14 @@ def test_the_methods_text_counts_what_it_does_not_describe():
     text = ss.methods_text(DESIGN)
     assert "; and 1 more input." in text
     assert text.endswith("Not equalised (raw accelerations).")
-    assert "Chirp 20 to 200 Hz, 1000 ms, 1 m/s²" in ss.methods_text(
-        replace(DESIGN, inputs=(ss.track(7, ss.waveforms.Chirp(start_hz=20.0, end_hz=200.0)),))
-    )
+
+
+def test_the_methods_text_says_what_is_played():
+    effects = (ss.effects.Stretch(to_s=0.4),)
+    slower = ss.Clip(waveform=ss.waveforms.Tone(100.0), effects=effects, gain=0.92)
+    train = ss.waveforms.WaveletTrain(equalise="energy", gains_db=(0.0, -7.1, -5.1, -5.6, -5.05))
+    inputs = ss.Input(location=7, clips=(slower,)), ss.track(7, train)
+    text = ss.methods_text(replace(DESIGN, inputs=inputs))
+    assert "Tone 100 Hz, 400 ms gain 0.92 through stretch ×2, 1 m/s², peak 0.913 m/s²" in text
+    assert "Wavelet train 50–400 Hz (5 frequencies, " in text
+    assert ", balance by energy, gains 0 to −7.1 dB), 600 ms, gain 1, peak 0.559 m/s²" in text

@@ -159,9 +159,11 @@ def test_keys_choose_points_change_curves_and_move_and_remove(glide):
     assert [time for time, _ in curve(glide, "frequency")] == pytest.approx([0.0, 0.4])
 
 
-def test_only_a_glide_offers_the_tool_and_elsewhere_the_key_says_why_not(qtbot, glide):
+def test_only_a_glide_offers_the_tool_with_all_of_it_and_elsewhere_says_why_not(qtbot, glide):
     button = glide.panel.findChild(QToolButton, "clip_glide")
     assert button.isVisible()
+    glide.show(glide.design.with_clip(1, effects=(Trim(0.1),)))
+    assert (glide.canvas.content.drawn.size, glide.canvas.content.played) == (520, None)
     glide.show(glide.design.with_clip(1, waveform=Tone(100.0, 0.0, 0.2)))
     assert not button.isVisible()
     assert glide.panel._canvas.tool is glide.panel._view_tool
@@ -273,14 +275,17 @@ def test_the_clip_panel_leads_to_the_pen_and_so_does_the_action(open_window, qtb
 
 @pytest.mark.parametrize("waveform", [Tone(100.0), Drawn(SILENCE)], ids=["tone", "drawn"])
 @pytest.mark.parametrize("effect", [Trim(0.1, 0.05), Stretch(2.0), Reverse()], ids=type)
-def test_the_pen_draws_what_plays_of_a_trimmed_or_stretched_clip(
+def test_the_pen_draws_what_plays_of_a_clip_and_grey_lies_where_it_plays_or_nowhere(
     qtbot, questions, waveform, effect
 ):
     bench = Bench(qtbot, waveform)
     before = replace(bench.clip, effects=(effect, FADE))
     bench.show(bench.design.with_clip(before.id, effects=before.effects))
     plays = played(waveform, (effect,), RATE_HZ)
-    bench.panel.use("pen")
+    np.testing.assert_array_equal(bench.canvas.content.drawn, {Trim: plays}.get(type(effect)))
+    # The pen was taken before the effect was.
+    bench.panel._switch_to("pen")
+    bench.drag((0.02, 0.3), (0.03, 0.3))
     assert effect.title.lower() in questions[0]
     assert bench.clip.effects == (FADE,)
     np.testing.assert_array_equal(bench.drawn, plays)

@@ -224,6 +224,13 @@ def test_each_axis_has_the_levels_that_the_skin_map_has_along_it(window, panel, 
     assert not panel.moves
 
 
+def test_a_frequency_that_is_typed_twice_is_shown_once(window, panel, qtbot):
+    choose(window, of="frequencies")
+    panel.bar.frequencies.line.setPlainText("50, 150, 50")
+    assert [cell.heading for cell in shown(panel, qtbot, 3)] == ["50 Hz", "100 Hz", "150 Hz"]
+    assert panel.bar.frequencies.line.text() == "50, 150, 50"
+
+
 def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot):
     shown(panel, qtbot, 4)
 
@@ -294,6 +301,7 @@ def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
     document.look(replace(document.view, axes="y"))
     [lab] = [cell for cell in shown(panel, qtbot, 2) if cell.limb == "lab-1"]
     assert lab.heading.startswith("Snapshot 1 (x, z), ")
+    assert " s long; differences and means over " in panel.maps.content.about
     view = View(axes="xz", method=document.view.method)
     expected = evaluate(on_lab, "output_levels_db", view=view)["output_levels_db"]
     assert lab.values_db == pytest.approx(expected, abs=1e-9)

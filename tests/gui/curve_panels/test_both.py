@@ -15,7 +15,8 @@ from skinsource.design.design import View
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.quantities import RULES, sources
 from skinsource.signals.analysis.intervals import interval_of
-from skinsource_gui.panels.spectra.panel import SpectraPanel, SpectraSettings, measured_between
+from skinsource.signals.spectra import MEAN_OF_BINS, mean_of_bins
+from skinsource_gui.panels.spectra.panel import SpectraPanel, SpectraSettings, curves_of
 from skinsource_gui.panels.traces.panel import TracesPanel, TracesSettings
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.theme import LIGHT
@@ -170,6 +171,14 @@ def test_traces_are_measured_between_the_cursors_even_relative_to_their_peaks(tr
             assert rms == pytest.approx(np.sqrt(np.mean(trace[inside] ** 2)), rel=0.01)
 
 
+def test_a_cursor_behind_the_end_of_the_record_is_held_there_until_the_record_is_longer(traces):
+    panel = traces((0.08, 0.98))
+    for n_times, end_s in ((651, 0.5), (1301, 0.98)):
+        panel.show_results(bench.traces_for(bench.SIGNED, n_times=n_times))
+        assert legend_of(panel).where.endswith(f"Δt {(end_s - 0.08) * 1e3:.0f} ms")
+        assert bench.plot_of(panel).cursors.lines[1].position == pytest.approx(end_s)
+
+
 def test_the_numbers_of_all_outputs_stay_while_the_pointer_is_in_the_plot(traces):
     panel = traces(BETWEEN_S)
     before = legend_of(panel)
@@ -180,15 +189,17 @@ def test_the_numbers_of_all_outputs_stay_while_the_pointer_is_in_the_plot(traces
 
 
 @pytest.mark.parametrize("options", [{}, {"log_magnitude": False}, {"averaged": True}])
-def test_spectra_tell_peak_its_frequency_and_the_rms_of_the_band(spectra, options):
+def test_spectra_tell_the_drawn_peak_its_frequency_and_the_rms_of_the_band(spectra, options):
     text = legend_of(spectra(BETWEEN_HZ, **options))
     frequency_hz, magnitude = bench.spectra_for(bench.SIGNED)["selected_spectra"]
     inside = (frequency_hz >= BETWEEN_HZ[0]) & (frequency_hz <= BETWEEN_HZ[1])
     assert text.where == "peak in m/s² at Hz · Δf 140 Hz"
-    for line, curve in zip(text.details, magnitude, strict=True):
+    drawn = mean_of_bins(magnitude, MEAN_OF_BINS if "averaged" in options else 1)[:, inside]
+    for line, curve, shown in zip(text.details, magnitude, drawn, strict=True):
         peak, at_hz, speed_mm, way_um, rms = numbers(line)
-        assert peak == pytest.approx(curve[inside].max(), rel=0.01)
-        assert at_hz == pytest.approx(frequency_hz[inside][curve[inside].argmax()], rel=0.01)
+        assert peak == pytest.approx(shown.max(), rel=0.01)
+        assert at_hz == pytest.approx(frequency_hz[inside][shown.argmax()], rel=0.01)
+        assert line.endswith("unsmoothed spectrum") == ("averaged" in options)
         assert speed_mm == pytest.approx(peak / (2 * np.pi * at_hz) * 1e3, rel=0.02)
         assert way_um == pytest.approx(peak / (2 * np.pi * at_hz) ** 2 * 1e6, rel=0.02)
         assert rms == pytest.approx(np.sqrt(np.sum(curve[inside] ** 2) / 2), rel=0.01)
@@ -204,7 +215,7 @@ def test_the_rms_between_all_frequencies_is_that_of_the_record_whatever_rings_be
         "response_samples": response.size,
         "outputs": (29,),
     }
-    line = measured_between(results, SpectraSettings(), (0.0, 650.0)).details[0]
+    line = curves_of(results, SpectraSettings()).measure((0.0, 650.0)).details[0]
     assert numbers(line)[-1] == pytest.approx(ss.rms(signal), rel=0.005)
 
 
@@ -261,5 +272,5 @@ def test_a_cursor_follows_the_mouse_on_any_axis(spectra, log):
 
 def test_a_peak_hold_tells_no_rms():
     results = bench.spectra_for(replace(bench.SIGNED, span="loudest"))
-    details = measured_between(results, SpectraSettings(), BETWEEN_HZ).details
+    details = curves_of(results, SpectraSettings()).measure(BETWEEN_HZ).details
     assert not any("RMS" in line for line in details)

@@ -135,10 +135,13 @@ def test_the_gain_of_a_clip_is_shown_beside_others_and_wherever_it_is_not_1(benc
     assert gain.parent() is onset.parent()
     bench.show(bench.design.with_input(0, clips=(louder,)))
     assert (label(), of_track()) == ("Clip gain", "")
-    # One that becomes 1 can be typed again, until another clip is shown.
+    # One that becomes 1 can be typed again, until another clip or design is shown.
     bench.type("gain", "1")
     assert bench.track.clips[0].gain == 1.0
     assert label() == "Clip gain"
+    bench.panel.start_over()
+    bench.show()
+    assert label() == ""
     bench.show(selected_inputs=(2,))
     assert label() == ""
     bench.show(bench.design.with_input(1, clips=(replace(louder, id=11),)))

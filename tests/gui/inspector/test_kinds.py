@@ -15,6 +15,8 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QMenu, QToolButton, QWidg
 from skinsource import Clip, Design, Input, waveforms
 from skinsource.base.allocation import give_freed_memory_back
 from skinsource.base.run_limited import resident_bytes
+from skinsource.design.describing import figure_text, full_label, stimulus_text
+from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import as_kind, kind_spec
 from skinsource.design.effects import Fade, Stretch
 from skinsource.design.waveforms import (
@@ -32,12 +34,10 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
-from skinsource_gui.fields.inputs import clip_text, figure_text, full_label
+from skinsource_gui.fields.inputs import clip_text
 from skinsource_gui.fields.kinds import PICTURE_PX, KindField, fill_kind_menu, waveform_icon
 from skinsource_gui.fields.parts import PartsEditor
 from skinsource_gui.fields.text_field import LiveText
-from skinsource_gui.fields.units import value_text
-from skinsource_gui.plots.pictures import stimulus_text
 from skinsource_gui.qt.buttons import FirstLetters, LetterButton
 from skinsource_gui.qt.theme import LIGHT
 from tests.gui.inspector.bench import Bench, design_of

@@ -60,7 +60,7 @@ def test_left_over_work_is_offered_with_its_picture_and_unsaved_until_it_is_save
     window.docks["spectra"].hide()
     window.keeping.offer(window.notice)
     assert "before your work on untitled was saved" in window.notice.text
-    assert f"from {window.keeping.recovery.look().left[0].clock()};" in window.notice.text
+    assert f"from {window.keeping.recovery.look().left[0].clock()}; it may" in window.notice.text
     picture = window.notice._picture
     assert picture.isVisible()
     assert picture.pixmap().height() == 90

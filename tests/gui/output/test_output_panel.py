@@ -121,12 +121,14 @@ def test_without_an_actuator_there_are_no_figures_and_no_switch(window, panel, q
     assert panel.figures.table.figures == ()
     assert panel.figures.refusal.text() == ""
     assert not panel.through.isEnabled()
+    place = panel.through.pos()
     button = window.playback.button
     assert button.text().startswith("Output: none")
     window.docks["output"].hide()
     button.click()
     assert panel.isVisible()
     bench.choose(panel, "actuator", "kastor-2023-air")
+    assert panel.through.pos() == place
     assert panel.figures.table.figures
     assert "Fingertip voice coil, in air" in window.playback.button.text()
 

@@ -372,7 +372,10 @@ def _cut(label):
 def test_the_knob_says_what_it_turns_in_words_that_stand_alone(kind):
     design = ss.Design(limb="synthetic-1", inputs=(ss.track(3, kind()),))
     _, name, spec, _ = _number(design, ss.View())
-    assert spec.label == "Amplitude" if name == "amplitude" else kind.title in spec.label
+    assert name == "amplitude" or kind.title in spec.label
+    view = with_settings(ss.View(), "stage", StageSettings(control="amplitude"))
+    _, _, spec, _ = _number(design.with_clip(1, gain=0.5), view)
+    assert (spec.label, spec.unit) == ("Input gain", "")
 
 
 def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
@@ -443,12 +446,16 @@ TURNED = {
 @pytest.mark.parametrize(("title", "turned"), TURNED.items())
 def test_words_of_ones_own_say_the_number_that_is_played(stage, qtbot, title, turned):
     document = stage.window().document
-    said = "At 100 Hz it is strong. It runs. Measured, it is 0.9. Try 50 Hz."
+    said = "It reaches 9 cm. At 100 Hz it is strong. It runs. Measured, it is 0.9. Try 50 Hz."
     own = replace(document.design, title=title, notes=said)
     document.start_over(own, document.view, None)
     others = replace(own, title="Far · 50 Hz"), replace(own, title="Far · 20 Hz")
+    show(stage.window(), StageSettings(control="amplitude"))
+    stage.knob.edited.emit(3.25, None)
+    assert stage.sentence.text() == said[17:]
+    show(stage.window())
     stage.knob.edited.emit(150.0, None)
-    assert (stage.heading.text(), stage.sentence.text()) == (turned, said[24:])
+    assert (stage.heading.text(), stage.sentence.text()) == (turned, said[41:])
     document.look(replace(document.view, snapshots=stored(others)))
     working = side_by_side(stage, qtbot, 3, of="snapshots")[-1]
     called = turned if turned.endswith(("Hz", "limb 1")) else "Working design"
@@ -697,6 +704,9 @@ def test_rows_of_noise_say_so_and_have_no_arrival(measured, stage, qtbot):
     arrivals = [curve.arrival for curve in stage.strip.curves]
     assert arrivals[-1] is None
     assert max(arrivals[:-1]) - arrivals[0] < 0.01
+    stage.window().document.look(replace(stage.window().document.view, outputs=(57,)))
+    side_by_side(stage, qtbot, 2, of="frequencies", frequencies_hz=(50.0,))
+    assert [curve.names for curve in stage.strip.curves] == [("50 Hz",), ("240 Hz noise",)]
     # Of noise the loudest part is shown, after all has arrived.
     scene_on(stage, qtbot, "2C", "synthetic-1")
     assert "marked" not in stage.strip._words[1]

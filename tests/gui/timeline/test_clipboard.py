@@ -120,7 +120,8 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     assert effects(window) == [[BandLimit], [BandLimit]]
     assert [clip.waveform for clip in document.design.clips] == [TONE, TONE]
     document.look(replace(document.view, selected_clips=(1,), playhead_s=0.05))
-    assert not window.actions_by_name["join_clips"].isEnabled()
+    for name in ("join_clips", "ungroup_clips"):
+        assert not window.actions_by_name[name].isEnabled()
     window.do("split_clips")
     document.look(replace(document.view, selected_clips=(1, 3)))
     for name, count in (("group_clips", 2), ("ungroup_clips", 3), ("join_clips", 2)):
@@ -137,7 +138,7 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
 
 
 # What stands among them in the menu; and the keys of the others.
-OTHERS = {"show_clip_editor", "match_tracks", "make_motion", "equalise_on_skin"}
+OTHERS = {"show_clip_editor", "match_tracks", "make_motion", "equalise_on_skin", "ungroup_clips"}
 ON_CLIPS = "nudge change_track split repeat mute duplicate fade_in fade_out stretch_clip remove"
 
 
@@ -248,6 +249,7 @@ def test_selected_clips_are_stretched_by_the_factor_of_the_last_in_one_step(two_
     assert (one.onset_s, one.duration_s) == (0.0, pytest.approx(0.15))
     assert (last.onset_s, last.duration_s) == (0.1, pytest.approx(0.3))
     assert "2 clips" in asked[0][1]
+    assert "Frequencies shift" in asked[0][2]
     two_clips.do("undo")
     assert document.design == before
     document.look(replace(document.view, selected_inputs=(2,), selected_clips=(2,)))

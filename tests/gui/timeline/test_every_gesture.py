@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QInputDialog, QMenu, QToolButton
 
 from skinsource import Marker, edits
-from skinsource_gui.fields.units import value_text
+from skinsource.design.display_units import value_text
 from skinsource_gui.panels.timeline.content import show_gain_curves, timeline_tooltip
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import MOUSE

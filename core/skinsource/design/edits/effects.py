@@ -683,13 +683,14 @@ def draw_clip(
     return Edit(label=f"Draw at {place}", design=after, view=view)
 
 
+def changes_time(effect: Effect) -> bool:
+    """Return whether samples play at other times after an effect than before it."""
+    return effect.on and (isinstance(effect, Reverse) or not isinstance(effect, KeepsTime))
+
+
 def time_effects_end(clip: Clip) -> int:
     """Return how many effects of a clip lie up to the last one that changes its time."""
-    ends = (
-        number
-        for number, effect in enumerate(clip.effects, 1)
-        if effect.on and (isinstance(effect, Reverse) or not isinstance(effect, KeepsTime))
-    )
+    ends = (number for number, effect in enumerate(clip.effects, 1) if changes_time(effect))
     return max(ends, default=0)
 
 

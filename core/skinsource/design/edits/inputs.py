@@ -321,7 +321,7 @@ def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
     >>> print(len(edit.design.inputs[0].clips))
     2
     """
-    groups = {clip.id: clip.waveform for clip in present_clips(design, ids) if _is_plain_sum(clip)}
+    groups = {clip.id: clip.waveform for clip in present_clips(design, ids) if is_plain_sum(clip)}
     if not groups:
         return Refusal(
             sentence="Only a sum of layers without effects can be ungrouped; select such a clip."
@@ -345,7 +345,8 @@ def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
     return Edit(label=f"Ungroup {text}", design=after, view=view)
 
 
-def _is_plain_sum(clip: Clip) -> bool:
+def is_plain_sum(clip: Clip) -> bool:
+    """Return whether a clip can be ungrouped."""
     is_sum = isinstance(clip.waveform, Layers) and clip.waveform.mode == "sum"
     return is_sum and not any(effect.on for effect in clip.effects)
 
