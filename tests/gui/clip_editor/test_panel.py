@@ -279,8 +279,8 @@ def test_the_pen_draws_what_plays_of_a_clip_and_grey_lies_where_it_plays_or_nowh
     qtbot, questions, waveform, effect
 ):
     bench = Bench(qtbot, waveform)
-    before = replace(bench.clip, effects=(effect,))
-    bench.show(bench.design.with_clip(before.id, effects=(effect, FADE)))
+    before = replace(bench.clip, onset_s=0.1002, effects=(effect,))
+    bench.show(bench.design.with_clip(1, onset_s=before.onset_s, effects=(effect, FADE)))
     plays = played(waveform, (effect,), RATE_HZ)
     seen = {Trim: before.sampled(RATE_HZ)[1]}.get(type(effect))
     np.testing.assert_array_equal(bench.canvas.content.drawn, seen)
