@@ -19,7 +19,7 @@ from skinsource.design.edits.effects import bake_clip, changes_time, time_effect
 from skinsource.design.effects.breakpoints import Points, with_point_after
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.level import UNCHANGED, Envelope
-from skinsource.design.effects.playing import played
+from skinsource.design.effects.playing import placed, played
 from skinsource.design.effects.time import Trim
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveform import Waveform
@@ -351,7 +351,7 @@ class ClipEditorPanel(Panel):
         self.design, self.view = Design(limb=""), View()
         self.rate_hz = facts_of("").sample_rate_hz
         self._waveforms: Mapping[int, Floats] = {}
-        self._raw: tuple[Any, float, Any, Floats | None] = (None, 0.0, (), None)
+        self._raw: tuple[Any, Any, Floats | None] = (None, None, None)
         self._unplayable: frozenset[int] = frozenset()
         self._view_tool = ViewTool(self)
         self._pen, self._envelope = PenEdits(self), EnvelopeEdits(self)
@@ -446,7 +446,7 @@ class ClipEditorPanel(Panel):
         timed = tuple(effect for effect in clip.effects if changes_time(effect))
         # Points of a glide lie in the time of its waveform.
         kept = () if self._canvas.tool is self._glide.tool else timed
-        raw, plays = self._sampled(clip.waveform, kept), self._waveforms.get(clip.id)
+        raw, plays = self._sampled(clip, kept), self._waveforms.get(clip.id)
         if raw is not None and kept == tuple(effect for effect in clip.effects if effect.on):
             plays = raw
         self._canvas.show_clip(clip, raw, plays if kept == timed else None, self.rate_hz)
@@ -462,19 +462,22 @@ class ClipEditorPanel(Panel):
         fades = tool is self._envelope.tool and any(faded_ends(clip))
         self._toolbar.show_text(text, enabled=True, hint=_FADES if fades else tool.hint)
 
-    def _sampled(self, waveform: Waveform, timed: tuple[Effect, ...]) -> Floats | None:
-        """Return what effects leave of a waveform that do nothing but trim, once sampled; or None.
+    def _sampled(self, clip: Clip, timed: tuple[Effect, ...]) -> Floats | None:
+        """Return the part of its waveform that trims leave; it is sampled once.
 
-        Stretching a long one takes seconds.
+        None where another effect changes the time: stretching a long waveform takes seconds.
         """
-        before, rate_hz, timed_before, samples = self._raw
-        if before is not waveform or (rate_hz, timed_before) != (self.rate_hz, timed):
+        waveform, rate_hz = clip.waveform, self.rate_hz
+        # The pen draws on what the clip holds, wherever between two samples it begins.
+        shift_s = placed(waveform, timed, clip.onset_s, rate_hz)[1] if timed else 0.0
+        before, key, samples = self._raw
+        if before is not waveform or key != (timed, rate_hz, shift_s):
             samples = None
             if all(isinstance(effect, Trim) for effect in timed):
                 # Other panels show the reason.
                 with suppress(InvalidInputError):
-                    samples = played(waveform, timed, self.rate_hz)
-            self._raw = (waveform, self.rate_hz, timed, samples)
+                    samples = played(waveform, timed, rate_hz, shift_s)
+            self._raw = waveform, (timed, rate_hz, shift_s), samples
         return samples
 
     def _press(self, event: QtGui.QKeyEvent) -> None:

@@ -310,13 +310,11 @@ class Pen(Tool):
         self._changed = False
 
     def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
-        if self._first is not None:
+        if self._first is not None or button not in (Button.LeftButton, Button.RightButton):
+            return
+        if not self.may_begin() or content.drawn is None:
             return
         self._zeroes = button == Button.RightButton
-        if (not self._zeroes and button != Button.LeftButton) or not self.may_begin():
-            return
-        if content.drawn is None:
-            return
         self._before, self._number, self._changed = content.drawn, new_gesture(), False
         self._first = self._place(content, at)
         self._last_s, self._stroke = self._first[0], Stroke()
