@@ -75,7 +75,7 @@ def test_a_pause_makes_no_snapshot_softer_and_how_long_it_makes_the_record_is_sa
     earlier, later = (card.compared for card in panel.cards if card.compared)
     assert [earlier.gain, later.gain] == pytest.approx([2.0, 1.0], abs=1e-6)
     assert card_level_text(earlier) != card_level_text(later)
-    assert " · over " in panel.text_label.whole
+    assert " s long; differences" in panel.text_label.whole
     # Both play the same.
     pair = (earlier, later), (("one",), ("two",)), 0, "record"
     [difference], [_, spread] = of_differences(*pair), of_spread(*pair)

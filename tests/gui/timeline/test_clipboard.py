@@ -62,7 +62,7 @@ def test_paste_goes_to_the_head_and_the_time_that_were_clicked_last_from_any_foc
     assert active.panel("timeline").lanes.hasFocus()
     active.document.apply(edits.move_playhead(active.document.design, active.document.view, 0.9))
     heads = active.panel("timeline").heads
-    QTest.mouseClick(heads.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(90, 50))
+    QTest.mouseClick(heads.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(20, 50))
     assert heads.hasFocus()
     if panel == "inspector":
         active.panel("inspector").findChild(QAbstractButton, "mute_button").setFocus()

@@ -72,8 +72,14 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
     edit = _added(design, view, f"Place input at {location_text(location, design.limb)}", [new])
     if not besides:
         return edit
-    chosen = (*view.selected_inputs, *edit.view.selected_inputs)
-    return replace(edit, view=replace(edit.view, selected_inputs=chosen))
+    return replace(
+        edit,
+        view=replace(
+            view,
+            selected_inputs=(*view.selected_inputs, *edit.view.selected_inputs),
+            selected_clips=(*view.selected_clips, *edit.view.selected_clips),
+        ),
+    )
 
 
 @refusing
@@ -377,9 +383,7 @@ def place_waveform(
     """
     new = track(location, waveform, onset_s=onset_s)
     label = f"Place {waveform.title.lower()} at {location_text(location, design.limb)}"
-    edit = _added(design, view, label, [new])
-    chosen = clips_selected(edit.design, view, (edit.design.clips[-1].id,))
-    return replace(edit, view=chosen)
+    return _added(design, view, label, [new])
 
 
 @refusing
@@ -411,9 +415,14 @@ def add_waveform(
 
 
 def _added(design: Design, view: View, label: str, new: Sequence[Input]) -> Edit:
-    """Add inputs at the end, and select them."""
+    """Add inputs at the end, and select them with their clips."""
     after = with_inputs_added(design, new)
-    view = replace(view, selected_inputs=after.ids[len(design.inputs) :], selected_clips=())
+    added = after.inputs[len(design.inputs) :]
+    view = replace(
+        view,
+        selected_inputs=tuple(track.id for track in added),
+        selected_clips=tuple(clip.id for track in added for clip in track.clips),
+    )
     return Edit(label=label, design=after, view=view)
 
 
