@@ -10,7 +10,7 @@ from PySide6 import QtWidgets
 from skinsource.base.conventions import Floats
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.describing import DURATION_FIELD, duration_text, figure_text, path_hz
+from skinsource.design.describing import DURATION_FIELD, duration_text, effects_hz, figure_text
 from skinsource.design.design import Design, Input, View
 from skinsource.design.display_units import number_text
 from skinsource.design.edits.edit import Edit, Refusal
@@ -18,7 +18,6 @@ from skinsource.design.effects.time import stretched_by
 from skinsource.design.waveform import Waveform
 from skinsource.signals.generators import sample_count
 from skinsource.specs.models import specs_of
-from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.qt.keys import KEYS, key_text
 
 
@@ -83,15 +82,10 @@ def played_length_text(clip: Clip) -> str:
 
 def played_hz_text(clip: Clip) -> str:
     """Return the text of the frequencies of a clip whose effects change them; else ""."""
-    waveform, factor = clip.waveform, stretched_by(clip.effects, clip.waveform.duration_s)
-    path = path_hz(waveform)
-    for name, spec in specs_of(waveform).items():
-        if not path and isinstance(spec, NumberSpec) and spec.unit == "Hz":
-            path = (getattr(waveform, name),)
-    if factor == 1.0 or not path:
+    played_hz = effects_hz(clip.effects, clip.waveform)
+    if played_hz in ((), effects_hz((), clip.waveform)):
         return ""
-    ends = (number_text(hz / factor, "Hz", digits=4) for hz in path)
-    return f"{'–'.join(ends)} Hz after effects"
+    return f"{'–'.join(number_text(hz, 'Hz', digits=4) for hz in played_hz)} Hz after effects"
 
 
 def fixed_length_text(waveform: Waveform) -> str:

@@ -614,7 +614,7 @@ def _lines(results: Mapping[str, Any], first: tuple[str, ...], each_axis: bool) 
         f"axes: {EACH_AXIS}, by itself"
         if each_axis
         else describe_projection(results["axes"], results["method"]),
-        describe_levels(results["span"], record_s),
+        describe_levels(results["span"], record_s, results["actuation"]),
     )
 
 

@@ -252,7 +252,8 @@ class Conditions(QObject):
 
     def _tell(self, panel: Panel) -> None:
         panel.show_noisy(self._noisy)
-        text = chip_text(self.chip.findings)
+        # The noise of other designs beside this one is known where they are shown.
+        text = chip_text(tuple(each for each in self.chip.findings if each.name != "noise"))
         panel.show_caution(text if text.startswith(_CAUTION) else "")
 
     def _explain(self) -> None:

@@ -195,7 +195,7 @@ class Panel(ShowsStaleness):
         """Take over the outputs at which the prediction is mostly noise."""
 
     def show_caution(self, text: str) -> None:
-        """Take over what leaves the conditions of the measurement, in a few words; "": nothing."""
+        """Take over which conditions but noise the design leaves, in a few words; "": none."""
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         """Take over the inputs that cannot be played; the next results are without them."""

@@ -9,8 +9,9 @@ from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.display_units import LONG_S, number_text, value_text
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.level import UNCHANGED, Envelope
-from skinsource.design.effects.time import Stretch
+from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim, stretched_by
 from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.pulses import Noise
 from skinsource.signals.generators import sample_count
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, PointsSpec
@@ -101,6 +102,30 @@ def path_hz(waveform: Waveform) -> tuple[float, ...]:
                 turns = tuple(hz for k, hz in enumerate(path) if k == 0 or hz != path[k - 1])
                 return turns if len(turns) <= _MOST_FREQUENCIES else (min(turns), max(turns))
     return ()
+
+
+def effects_hz(effects: Sequence[Effect], waveform: Waveform) -> tuple[float, ...]:
+    """Return the frequencies of a waveform after effects, in order; none where unknown."""
+    rates = [n for n, s in specs_of(waveform).items() if getattr(s, "unit", "") == "Hz"]
+    hz = path_hz(waveform) or tuple(getattr(waveform, name) for name in rates[:1])
+    law, lasts_s = getattr(waveform, "law", ""), waveform.duration_s
+    steady = len(hz) < 2 or isinstance(waveform, Noise)
+    for effect in (each for each in effects if each.on and not steady):
+        before_s, lasts_s = lasts_s, effect.length(lasts_s)
+        if isinstance(effect, Reverse):
+            hz = hz[::-1]
+        elif isinstance(effect, Repeat):
+            law = ""
+        elif isinstance(effect, Trim) and lasts_s < before_s:
+            if not (law and lasts_s):
+                return ()
+            ends = effect.start_s / before_s, (effect.start_s + lasts_s) / before_s
+            first, last = hz
+            if law == "linear":
+                hz = tuple(first + (last - first) * end for end in ends)
+            else:
+                hz = tuple(first * (last / first) ** end for end in ends)
+    return tuple(each / stretched_by(effects, waveform.duration_s) for each in hz)
 
 
 def stimulus_text(design: Design) -> str:

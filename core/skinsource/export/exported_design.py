@@ -210,19 +210,20 @@ def describe_projection(axes: str, method: str) -> str:
     return f"axes: {label_of(AXES, axes).both}{how}"
 
 
-def describe_levels(span: str, record_s: float) -> str:
+def describe_levels(span: str, record_s: float, actuated: Actuation | None) -> str:
     """Return a line on the span that levels are the RMS over: of a whole record with its length.
 
     Files without levels have it too: a reader sees whether traces and levels belong together.
     """
     line = f"levels: RMS over the {label_of(SPANS, span).both.lower()}"
-    return f"{line}, {round(record_s, 3):g} s" if span == "record" else line
+    length = f"{round(record_s, 3):g} s{', its length without the actuator' if actuated else ''}"
+    return f"{line}, {length}" if span == "record" else line
 
 
 def about_levels(exported: ExportedDesign) -> str:
     """Return `describe_levels` of a design."""
     record_s = exported.value("record_samples") / exported.sample_rate_hz
-    return describe_levels(exported.view.span, record_s)
+    return describe_levels(exported.view.span, record_s, exported.design.actuated)
 
 
 def about_axes(exported: ExportedDesign) -> str:

@@ -402,7 +402,8 @@ def _levels_db(side: Compared) -> Floats:
 
 def noisy_outputs(*compared: Compared) -> tuple[int, ...]:
     """Return the numbers of the outputs that are mostly noise in any of them."""
-    known = [(side.values or {}).get("above_noise_db") for side in compared]
+    sounding = [side.values for side in compared if side.values and not is_silent(side)]
+    known = [values.get("above_noise_db") for values in sounding]
     noisy = [levels < LEAST_ABOVE_NOISE_DB for levels in known if levels is not None]
     return tuple(int(k) + 1 for k in np.flatnonzero(np.any(noisy, axis=0)))
 

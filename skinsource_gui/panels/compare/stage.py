@@ -22,7 +22,7 @@ from PySide6.QtCore import (
 )
 
 from skinsource.base.conventions import Floats, axes_text
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, amplitude_unit, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
@@ -369,7 +369,7 @@ class StagePanel(MapsPanel):
         super().__init__(parent)
         self.heading, self.sentence = page_label("stage_title"), page_label("stage_sentence")
         self.strip, self.knob = Strip(), Knob()
-        self.caution = page_label("stage_caution", tone="warning")
+        self.caution, self._caution = page_label("stage_caution", tone="warning"), ""
         self.arm, self.switch = QtWidgets.QCheckBox("Arm"), QtWidgets.QCheckBox("Compare")
         keys = KEYS["presenting"].gestures
         named(self.switch, "stage_compare", hint=keys["compare"].hint)
@@ -460,12 +460,22 @@ class StagePanel(MapsPanel):
             names = self.kind.names(self.compared, self.view, difference=False)
             self.moving.update(self.compared, names)
         self._show_traces()
+        self.show_caution(self._caution)
 
     def reset_range(self) -> None:
         super().reset_range()
         self._release()
 
     def show_caution(self, text: str) -> None:
+        self._caution = text
+        # The noise is that of the noisiest map.
+        counts = [len(noisy_outputs(side)) for side in self.compared]
+        if most := max(counts, default=0):
+            names = self.kind.names(self.compared, self.view, difference=False)
+            of = f"{names[counts.index(most)][-1]}: " * (len(counts) > 1)
+            hatched = "" if self.moves else ", hatched"
+            noise = f"{of}{counted(most, 'output')} near the noise{hatched}"
+            text = f"{text}; {noise}" if text else f"⚠ {noise}"
         if text != self.caution.text():
             self.caution.setText(text)
             self._fit_letters()

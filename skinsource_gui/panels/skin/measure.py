@@ -131,9 +131,7 @@ class MeasureLine(QtWidgets.QWidget):
             "measure_quantity", QUANTITY.label, QUANTITY.hint, self._offer_quantities, self
         )
         self.axes = MeasureWord("measure_axes", "Axes", TRIAD_SENTENCE, self._offer_axes, self)
-        self.span = MeasureWord(
-            "measure_span", "Levels", "Time over which a level is the RMS.", self._offer_spans, self
-        )
+        self.span = MeasureWord("measure_span", "Levels", "", self._offer_spans, self)
         self.unit = MeasureWord(
             "measure_unit",
             "Colours",
@@ -162,6 +160,9 @@ class MeasureLine(QtWidgets.QWidget):
             offer_arm(self.arm, (content.limb_map,), _ARM_HINT)
         self._design, self._view, self._settings = design, view, settings
         self._content = content
+        actuated = view.span == "record" and design and design.actuated
+        without = ": its length without the actuator" if actuated else ""
+        show_tooltip(self.span, tooltip("Levels", f"Time over which a level is the RMS{without}"))
         if before == (content.quantity, settings, view.axes):
             return
         # Other quantities are of axes and of a window of their own.

@@ -228,8 +228,8 @@ class TimelinePanel(Panel):
         self._show_heads()
         self._stack.setCurrentIndex(1 if design.inputs else 0)
         self._place_lanes()
-        # Keys act on what is outlined.
-        if view.selected_clips and self.heads.hasFocus():
+        # Keys act on what is outlined, also when they come back from another window.
+        if view.selected_clips and self.window().focusWidget() is self.heads:
             self.lanes.setFocus()
         if self.is_stale:
             self.show_staleness(True)

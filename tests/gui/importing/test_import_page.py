@@ -60,6 +60,8 @@ def choose(page, qtbot, name, option):
 
 def test_what_is_shown_is_placed_in_one_step(window, settle, qtbot, sound):
     before, steps = window.document.design, window.document.undo_stack.count()
+    window.activateWindow()
+    window.panel("timeline").heads.setFocus()
     page = opened(window.imports, qtbot, sound, DropPlace(location=13))
     assert page.ready
     assert "0.5 s" in page.preview.text
@@ -69,7 +71,11 @@ def test_what_is_shown_is_placed_in_one_step(window, settle, qtbot, sound):
     assert (new.location, len(design.inputs)) == (13, len(before.inputs) + 1)
     (clip,) = new.clips
     assert clip.waveform == take(sound).waveform
-    assert window.document.view.selected_inputs == (new.id,)
+    # The keyboard comes back to the window.
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    view = window.document.view
+    assert (view.selected_inputs, view.selected_clips) == ((new.id,), (clip.id,))
     assert window.document.undo_stack.count() == steps + 1
     settle()
     inspector = window.panel("inspector")

@@ -9,10 +9,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QToolButton, QWidget
 
 from skinsource import Clip, Design, Input
-from skinsource.design.effects.time import Stretch, Trim
+from skinsource.design.effects import Repeat, Reverse, Stretch, Trim
 from skinsource.design.waveforms import Drawn, Formula, Noise, Recording, Tap, Tone, WaveletTrain
+from skinsource.design.waveforms.tones import Chirp, Glide
 from skinsource.specs.samples import Samples
 from skinsource_gui.fields.editors import FieldCell, TextLine
+from skinsource_gui.fields.inputs import played_hz_text
 from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import LetterButton
@@ -116,6 +118,21 @@ def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
     assert bench.label("played_hz").text() == "50 Hz after effects"
     bench.show(design)
     assert not lasts.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("waveform", "effects", "played"),
+    [
+        (Chirp(), (Trim(duration_s=0.6), Stretch(to_s=1.0)), "15–222"),
+        (Chirp(100.0, 400.0, law="logarithmic"), (Reverse(), Trim(0.5)), "200–100"),
+        (Chirp(), (Repeat(), Trim(duration_s=0.6)), ""),
+        (Noise(), (Trim(duration_s=0.1), Stretch()), "12.5–300"),
+        (Glide(), (Trim(duration_s=0.1), Stretch()), ""),
+    ],
+)
+def test_frequencies_are_those_of_the_part_that_effects_leave(waveform, effects, played):
+    text = played_hz_text(Clip(waveform=waveform, effects=effects))
+    assert text.removesuffix(" Hz after effects") == played
 
 
 def test_the_gain_of_a_clip_is_shown_beside_others_and_wherever_it_is_not_1(bench):

@@ -261,6 +261,8 @@ def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):
     results = {**own, **ss.evaluate(design, *(DESCRIPTION_QUANTITIES - own.keys()))}
     assert "; predicted through " in caption_of(design)
     assert any(line.startswith("predicted through: ") for line in lazy_lines(results)())
+    assert lazy_lines(results)()[-1].endswith("(record), 0.5 s, its length without the actuator")
+    assert "length without" in window.panel("skin").measure.span.toolTip()
 
 
 def test_a_good_file_ends_the_complaint_about_a_bad_one(

@@ -705,8 +705,12 @@ def test_rows_of_noise_say_so_and_have_no_arrival(measured, stage, qtbot):
     assert arrivals[-1] is None
     assert max(arrivals[:-1]) - arrivals[0] < 0.01
     stage.window().document.look(replace(stage.window().document.view, outputs=(57,)))
-    side_by_side(stage, qtbot, 2, of="frequencies", frequencies_hz=(50.0,))
-    assert [curve.names for curve in stage.strip.curves] == [("50 Hz",), ("240 Hz noise",)]
+    side_by_side(stage, qtbot, 3, of="frequencies", frequencies_hz=(50.0, 400.0))
+    names = [("50 Hz",), ("240 Hz noise",), ("400 Hz noise",)]
+    assert [curve.names for curve in stage.strip.curves] == names
+    assert re.fullmatch(r"⚠ 400 Hz: \d+ outputs near the noise", stage.caution.text())
+    stage.show_levels()
+    qtbot.waitUntil(lambda: stage.caution.text().endswith("near the noise, hatched"))
     # Of noise the loudest part is shown, after all has arrived.
     scene_on(stage, qtbot, "2C", "synthetic-1")
     assert "marked" not in stage.strip._words[1]
