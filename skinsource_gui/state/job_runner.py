@@ -135,7 +135,7 @@ class JobRunner(QObject):
         def tell(done: int, total: int, text: str) -> None:
             nonlocal last_s
             now_s = perf_counter()
-            if now_s - last_s >= _PROGRESS_INTERVAL_S:
+            if not total or now_s - last_s >= _PROGRESS_INTERVAL_S:
                 last_s = now_s
                 progress = JobProgress(done, total, text, now_s - start_s)
                 self._worker.tell(self._tell, job, progress)

@@ -6,6 +6,7 @@ import numpy as np
 import psutil
 import pytest
 
+import skinsource as ss
 from skinsource.base.errors import DatasetError, DatasetMissingError
 from skinsource.limbs.dataset import store
 from skinsource.limbs.dataset.published import response_name
@@ -130,6 +131,8 @@ def test_a_store_says_which_files_were_not_the_published_ones(synthetic_installe
     assert {"impulseResponses.mat", "surface.mat", "mask4.mat"} <= set(info.unpublished)
     assert "not the published ones" in info.note
     assert "surface.mat" in store.load_measured_limb(1).note
+    design = ss.Design(limb="measured-1", inputs=(ss.track(7, ss.waveforms.Tone(100.0)),))
+    assert f"from measured responses ({info.note})." in ss.methods_text(design)
     rewrite(synthetic_installed, unpublished=[])
     assert store.load_measured_limb(1).note == ""
 

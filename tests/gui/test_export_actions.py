@@ -96,10 +96,11 @@ def test_the_part_in_sight_may_change_while_the_next_one_waits_for_a_prediction(
     window.exports.end()
 
 
-def test_the_dialog_opens_where_the_last_export_was(window, wait, answers, tmp_path):
+def test_the_dialog_stays_open_and_opens_where_the_last_export_was(window, wait, answers, tmp_path):
     answers["save"] = str(tmp_path / "levels.csv")
     export(window, "levels")
     wait()
+    assert window.exports.page.message.text() == f"Saved {tmp_path / 'levels.csv'}"
     # What was only looked at does not count.
     shown(window, "picture")
     window.do("export")
@@ -176,6 +177,7 @@ def test_a_mistake_of_the_studio_is_told_and_the_studio_lives(
     export(window, "levels")
     wait()
     assert "ZeroDivisionError: oh" in window.notice.text
+    assert "ZeroDivisionError: oh" in window.exports.page.message.text()
     assert "an export failed" in caplog.text
 
 

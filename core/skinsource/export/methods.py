@@ -71,7 +71,8 @@ def methods_text(
 def methods_of(design: Design, view: View, ready: PreparedStimulus) -> str:
     """Return the text for a stimulus that is prepared already."""
     view, facts = view_on(design.limb, view), facts_of(design.limb)
-    levels_db = evaluate(design, "output_levels_db", view=view)["output_levels_db"]
+    results = evaluate(design, "output_levels_db", "limb_data", view=view)
+    levels_db, note = results["output_levels_db"], results["limb_data"].note
     loudest = int(np.nanargmax(levels_db)) + 1
     tracks = audible_inputs(design.inputs)
     described = [
@@ -83,12 +84,13 @@ def methods_of(design: Design, view: View, ready: PreparedStimulus) -> str:
         described.append(f"and {counted(len(tracks) - _MOST_INPUTS, 'more input')}")
     through = "" if design.actuated is None else f", through {design.actuated.words}"
     origin = "from modelled responses" if facts.synthetic else "from measured responses"
+    about = f" ({note})" if note else ""
     text = " ".join(
         (
             f"Stimuli were designed with SkinSource studio {__version__}: {'; '.join(described)}.",
             f"Amplitudes: {lowered(amplitude_meaning(design))}.",
             f"The acceleration at {facts.n_outputs} outputs of the limb "
-            f"{limb_label(design.limb).title} was predicted{through}, {origin}.",
+            f"{limb_label(design.limb).title} was predicted{through}, {origin}{about}.",
             f"Its {level_label(view.span)} ({signal_label(view.axes, view.method)}) reached "
             f"{levels_db[loudest - 1]:.1f} dB re 1 m/s² at output {loudest}.",
             f"Drives are written as {ready.format.title} ({ready.rate_text}, {ready.scale_text}). "

@@ -66,7 +66,7 @@ class ExportPage(ToolPage):
         )
         self._button.setObjectName("export_button")
         columns = in_row(self._list, (self._stack, 1), gap_px=2 * UNIT_PX)
-        in_column((columns, 1), buttons, of=self)
+        in_column((columns, 1), self.message, buttons, of=self)
         self._list.currentTextChanged.connect(self._show_group)
         buttons.accepted.connect(self.chosen)
         buttons.rejected.connect(self.reject)

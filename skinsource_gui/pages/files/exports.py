@@ -161,6 +161,8 @@ class ExportActions(QObject):
         page.chosen.connect(self._ask_and_write)
         page.edited.connect(self._edit)
         page.finished.connect(self._forget_page)
+        self._files.done.connect(page.say)
+        self.failed.connect(page.complain)
         page.open()
 
     def end(self) -> None:
@@ -184,7 +186,7 @@ class ExportActions(QObject):
         self.page = None
 
     def _ask_and_write(self) -> None:
-        """Ask for a file, close the dialog, and write what it shows; cancelled, it stays open."""
+        """Ask for a file, and write what the dialog shows; it stays open, and says how it went."""
         page = self.page
         name, kinds, endings, ending = page.part.suggestion()
         start, numbers = self._preferences.folder / name, count(2)
@@ -196,14 +198,13 @@ class ExportActions(QObject):
             return
         self._last, write = page.part.name, page.part.writer(path)
         self._preferences.export_text = page.settings
-        draws = page.part.draws
-        page.accept()
-        if draws:
+        if page.part.draws:
             self._draw(path, write)
             return
         # Tables and films hold the design without the gain that matches its level to another's.
         matched = self._document.view.match_gain(self._document.design) != 1.0
         note = "amplitudes are as stored, levels are not matched" if matched else ""
+        page.say(f"Writing {path.name}. Close lets it go on.")
         self._add(path, write, note)
 
     def _may_write(self, path: Path, written: Iterable[tuple[Path, ...]]) -> bool:

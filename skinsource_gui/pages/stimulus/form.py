@@ -165,6 +165,8 @@ class StimulusForm(QtWidgets.QWidget):
         self._choices: dict[str, ChoiceField] = {}
         #: Numbers that were typed; a silence that was not follows the equaliser.
         self.typed: set[str] = set()
+        # Format of whose device the full scale is.
+        self._scaled_for: StimulusFormat | None = None
         self._fields = {
             "format": ChoiceField(FORMAT),
             "rate": ChoiceField(RATE),
@@ -248,6 +250,7 @@ class StimulusForm(QtWidgets.QWidget):
         """Choose the drive at full scale, and show that field."""
         self._boxes["advanced"].setChecked(True)
         self._numbers["full_scale"].set_value(drive)
+        self._scaled_for = self.format
         self._fields["scale"].choose("own")
 
     def emit_order(self) -> None:
@@ -319,6 +322,13 @@ class StimulusForm(QtWidgets.QWidget):
         format, fields, design = self.format, self._fields, self._design
         chosen = fields_of(design.actuation) if drive_unit(design) in ("m/s²", "V") else {}
         own_part = fields["time"].value == "part"
+        unit = drive_unit(design) if equaliser_of(design) is None else "V"
+        full_scale, spec = self._numbers["full_scale"], scale_number(unit)
+        # A full scale belongs to its unit, and that of a device to its format.
+        if full_scale.spec.unit != spec.unit or self._scaled_for not in (None, format):
+            fields["scale"].set_value("largest")
+            self._scaled_for = None
+        full_scale.set_spec(spec)
         visible = {
             "rate": not format.fixed_rate,
             "other_rate": not format.fixed_rate and fields["rate"].value == OTHER,
@@ -340,8 +350,6 @@ class StimulusForm(QtWidgets.QWidget):
             if name != "about":
                 shown = visible.get(name, True) and (unfolded or name not in folding)
                 self._form.setRowVisible(self.field(name), shown)
-        unit = drive_unit(design) if equaliser_of(design) is None else "V"
-        self._numbers["full_scale"].set_spec(scale_number(unit))
 
     @property
     def chosen(self) -> dict[str, str]:

@@ -3,6 +3,7 @@
 import json
 import re
 from contextlib import nullcontext
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -153,6 +154,9 @@ def test_a_header_in_volts_has_the_full_scale_of_the_file_beside_that_of_the_chi
     assert silent[1]
     assert f"is {device_v:g} V here, {device_v:g} V" in path.read_text()
     assert "too strong" not in path.read_text()
+    options = ss.StimulusOptions(full_scale=1e3)
+    loses = ss.export_stimulus(replace(faint, actuation=None), path, name, options=options).loses
+    assert "steps. Choose a smaller full scale, or raise the amplitudes." in loses
 
 
 def test_bos1901_gets_12_bits_that_begin_and_end_at_0_volts(design, tmp_path):

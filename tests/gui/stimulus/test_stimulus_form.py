@@ -78,11 +78,13 @@ def test_tracks_that_are_solo_are_said_where_all_that_are_heard_are_written(form
     assert field.isVisibleTo(form)
 
 
-def test_full_scale_of_equalised_drives_is_in_volts(form_on):
+def test_full_scale_of_equalised_drives_is_in_volts_and_ends_with_them(form_on):
     form = form_on(chosen(RegularisedInverse()))
     assert form.field("full_scale").spec.unit == "V"
+    form.choose_full_scale(95.0)
     form.show_design(chosen(None))
     assert form.field("full_scale").spec.unit == "m/s²"
+    assert form.field("scale").value == "largest"
 
 
 WAIT = {"timeout": 30_000}

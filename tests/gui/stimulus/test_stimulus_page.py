@@ -229,6 +229,8 @@ def test_a_full_scale_that_is_not_that_of_the_chip_is_a_warning_and_mended_here(
     assert page.prepared.files[0].full_scale == page.form.field("full_scale").value_si == 95.0
     assert not mend.isVisible()
     assert notes.property("tone") == "dim"
+    choose(page, qtbot, "format", "wav")
+    assert page.form.field("scale").value == "largest"
 
 
 def test_what_is_chosen_here_is_an_edit_of_the_design(desk, page, qtbot):

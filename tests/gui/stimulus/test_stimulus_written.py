@@ -39,8 +39,11 @@ def test_from_page_to_file_each_clip_is_sampled_once(desk, qtbot, save_as, monke
     page = opened(desk, qtbot)
     # Its losses to 48 kHz are told already.
     assert page.prepared.drives.sample_rate_hz == 48_000
-    path = save_as("drive.wav")
+    path, told = save_as("drive.wav"), []
+    desk.runner.progressed.connect(lambda _, progress: told.append((progress.text, progress.total)))
     export(desk, page, qtbot)
+    # The share of what is written is none of what is computed of validity.
+    assert told[-1] == ("Computing", 0)
     assert path.stat().st_size > 1000
     assert sampled == [clip.waveform for clip in design.clips]
     assert len(predictions) == 1

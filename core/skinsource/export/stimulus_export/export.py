@@ -206,6 +206,8 @@ def _write_file(
     )
     facts = format.write(file, temporary)
     stop_if(file.stop)
+    # What the sidecar says of validity is a prediction, which may take longer than the file.
+    file.progress(0, 0, "Computing")
     written = [temporary, *temporary.rglob("*")]
     content = sidecar_of(
         ready,

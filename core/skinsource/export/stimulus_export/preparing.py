@@ -219,8 +219,12 @@ class PreparedStimulus:
     @property
     def remedy_v(self) -> float:
         """Full scale of the device, where the files, in volts, have another one; else 0."""
-        device_v = self.format.device_v if self.drives.unit == "V" else 0.0
+        device_v = self._device_v
         return device_v if round(float(decibels(device_v * self.gain)), 1) else 0.0
+
+    @property
+    def _device_v(self) -> float:
+        return self.format.device_v if self.drives.unit == "V" else 0.0
 
     @property
     def misscaled(self) -> str:
@@ -237,8 +241,11 @@ class PreparedStimulus:
             scale = self.format.scale_text(1.0 / self.gain)
             sentences.append(f"{scale}. Choose a full scale of {volts:g} V.")
         elif 0.0 < (steps := most * self.peak * self.gain) < LEAST_STEPS:
+            # The full scale of a rig, or of the device, is as it is.
+            fixed = self.drives.unit == FULL_SCALE_UNIT or self._device_v
+            cure = "Raise" if fixed else "Choose a smaller full scale, or raise"
             largest = f"The largest sample is only {steps:.2g} of {most} steps."
-            sentences.append(f"{largest} Raise the amplitudes.")
+            sentences.append(f"{largest} {cure} the amplitudes.")
         return " ".join(sentences)
 
     @property
