@@ -280,8 +280,8 @@ class Presenter(QObject):
         window.addActions([each for name, each in self._actions().items() if name != "play"])
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
         keys = {name: key_text("presenting", name) for name in KEYS["presenting"].gestures}
-        more, end, other = map(shortcut_text, ("show_keys", "present", "toggle_snapshots"))
-        self.done.emit(_HINTS.format(**keys, more=more, end=end, other=other))
+        more, end = map(shortcut_text, ("show_keys", "present"))
+        self.done.emit(_HINTS.format(**keys, more=more, end=end))
 
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""

@@ -37,9 +37,12 @@ def test_each_says_what_it_is_where_it_is_from_and_what_is_inferred(name):
     assert known.sentence.endswith(".")
     assert len(known.title) <= 40
     assert content.design.notes == known.notes
-    turned = stage_settings(content.view).control
+    stage = stage_settings(content.view)
+    turned = stage.control
     assert turned in {"frequency", "amplitude"}
     assert known.to_try.startswith("Try: ")
+    # L shows motion where levels are shown.
+    assert stage.moves or "levels" not in known.to_try
     if turned == "frequency":
         (selected,) = content.view.selected_inputs
         assert hasattr(content.design.input(selected).clips[0].waveform, "frequency_hz")
