@@ -189,12 +189,16 @@ def test_each_map_can_be_drawn_to_its_own_maximum(window, panel, qtbot):
         assert below == pytest.approx(values[22] - values.max())
         assert float(title.split(" of ")[1].split(" dB")[0]) == pytest.approx(values.max())
     # Only levels have maxima of their own; of axes these are shown whatever was chosen of others.
+    choosers = panel.bar.of, panel.bar.shown
+    places = [chooser.geometry() for chooser in choosers]
     for what, n in (("difference", 3), ("mean", 2)):
         choose(window, shown=what)
         assert all(cell.maximum_db is None for cell in shown(panel, qtbot, n))
         assert not panel.bar.own_maximum.isVisible()
+        assert [chooser.geometry() for chooser in choosers] == places
     choose(window, of="axes")
     assert shown(panel, qtbot, 3)[0].maximum_db is not None
+    assert [chooser.geometry() for chooser in choosers] == places
 
 
 def test_each_axis_has_the_levels_that_the_skin_map_has_along_it(window, panel, qtbot, settle):
