@@ -672,8 +672,7 @@ class OutputPanel(Panel):
         design, actuated = self._design, self._design.actuated
         self.through.setChecked(actuated is not None)
         self.through.setEnabled(design.actuation is not None)
-        hint = _THROUGH_HINT if design.actuation is not None else "Choose an actuator"
-        self.through.setToolTip(hint)
+        self.through.setToolTip(_THROUGH_HINT if design.actuation else "Choose an actuator")
         reach = _AS_FAR if actuated is not None and actuated.equaliser is not None else ""
         meaning = f"{amplitude_unit(design)} {amplitude_in_short(design)}{reach}"
         self.through_text.setText(f"Amplitude 1 = 1 {meaning}.")

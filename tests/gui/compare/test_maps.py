@@ -205,8 +205,8 @@ def test_the_choosers_stay_in_their_place_whatever_is_chosen(qtbot):
     qtbot.addWidget(bar)
     bar.resize(900, 60)
     for of, what in product(("snapshots", "limbs", "axes", "frequencies"), ("levels", "motion")):
-        chosen = CompareSettings(of=of, shown=what)
-        bar.show_state(Design(limb="synthetic-1"), with_settings(View(), "compare", chosen))
+        view = with_settings(View(), "compare", CompareSettings(of=of, shown=what))
+        bar.show_state(Design(limb="synthetic-1"), view)
         bar.grab()
         places.add((bar.of.geometry().getRect(), bar.shown.geometry().getRect()))
     assert len(places) == 1

@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
 import skinsource as ss
 from skinsource.design.design_file import ShowEntry, open_design
-from skinsource.design.panel_settings import stage_settings, with_settings
-from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource.design.panel_settings import stage_settings
+from tests.gui.compare.compare_bench import choose
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -77,16 +77,15 @@ def test_a_show_is_presented_in_its_order(studio, made, path):
 
 
 def test_the_stage_shows_what_the_compare_panel_in_sight_compared(studio, page):
-    document = studio.document
     for of, several in (("limbs", True), ("snapshots", False)):
         studio.docks["compare"].bring_forward()
-        document.look(with_settings(document.view, "compare", CompareSettings(of=of)))
+        choose(studio, of=of)
         # There are no snapshots: of the design that is saved, added and presented there is one map.
         page.add_open_design()
         studio.files.save()
-        views = page.entries[-1].presented[1], open_design(document.path).view
+        views = page.entries[-1].presented[1], open_design(studio.document.path).view
         assert [stage_settings(view).compared for view in views] == 2 * [several]
-    document.look(with_settings(document.view, "compare", CompareSettings(of="axes")))
+    choose(studio, of="axes")
     studio.do("present")
     assert studio.panel("stage").switch.isChecked()
     studio.do("present")
