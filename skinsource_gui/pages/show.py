@@ -1,6 +1,6 @@
 """The page on which a show is made: its designs in their order, and what is said of each."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -25,7 +25,6 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import add_row, in_column, in_row, named
 from skinsource_gui.qt.questions import ask_to_save
-from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
 TITLE = "Show"
@@ -42,8 +41,8 @@ class ShowPage(ToolPage):
 
     Parameters
     ----------
-    document
-        Its design can be added.
+    open_entry
+        Returns the entry of the design in the window.
     preferences
         The folder of the files.
     path
@@ -60,15 +59,14 @@ class ShowPage(ToolPage):
 
     def __init__(
         self,
-        document: Document,
+        open_entry: Callable[[], ShowEntry],
         preferences: Preferences,
         parent: QtWidgets.QWidget,
         path: Path | None = None,
         entries: Sequence[Entry] = (),
     ) -> None:
         super().__init__(parent, "show_page", TITLE, _SIZE_PX)
-        self._document, self._preferences = document, preferences
-        self._path = path
+        self._open_entry, self._preferences, self._path = open_entry, preferences, path
         self.list = named(QtWidgets.QListWidget(), "show_list", "Designs in their order")
         self.list.setDragDropMode(QtWidgets.QAbstractItemView.DragDropMode.InternalMove)
         self.heading, self.sentence = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
@@ -98,9 +96,7 @@ class ShowPage(ToolPage):
 
     def add_open_design(self) -> None:
         """Add the design in the window, as it is now."""
-        document = self._document
-        name = document.scene or (document.path.stem if document.path else "Untitled")
-        self._add([ShowEntry.of(document.design, document.view, document.design.title or name)])
+        self._add([self._open_entry()])
 
     def add_files(self) -> None:
         """Ask for design files, and add them in the order of the dialog."""

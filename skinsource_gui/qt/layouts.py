@@ -145,7 +145,8 @@ class FlowLayout(QtWidgets.QLayout):
     gap_px
         Space between widgets.
     shares
-        Whether those of a row share its width; else each has the width that it likes.
+        Whether those of a row share its width, from its upper edge on; else each has the width
+        that it likes.
     """
 
     def __init__(self, of: QtWidgets.QWidget, gap_px: int, *, shares: bool = False) -> None:
@@ -224,9 +225,8 @@ class FlowLayout(QtWidgets.QLayout):
             for item, size in row:
                 width = min(size.width() + more_px, item.maximumSize().width(), inside.width())
                 if moves:
-                    item.setGeometry(
-                        QRect(left, top + (high - size.height()) // 2, width, size.height())
-                    )
+                    lower_px = 0 if self._shares else (high - size.height()) // 2
+                    item.setGeometry(QRect(left, top + lower_px, width, size.height()))
                 left += width + gap_px
             top += high + gap_px
         return max(top - gap_px - room.top(), 0) + self.contentsMargins().bottom()

@@ -14,7 +14,7 @@ from shiboken6 import isValid
 from skinsource.base.errors import DesignFileError, SkinSourceError
 from skinsource.design.design import Design, View
 from skinsource.design.design_file import SUFFIX, ShowEntry, UnreadEntry, open_design, open_show
-from skinsource.design.panel_settings import STAGE, stage_settings
+from skinsource.design.panel_settings import STAGE, StageSettings, settings_of, with_settings
 from skinsource.studies import scenes
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
@@ -256,6 +256,7 @@ class Presenter(QObject):
         self._opening = False
         self._notes: NotesWindow | None = None
         document.jumped.connect(self._look)
+        files.saving.connect(self._keep_comparison)
         document.undo_stack.indexChanged.connect(self._note_step)
 
     def toggle(self) -> None:
@@ -270,7 +271,7 @@ class Presenter(QObject):
             self._worked = self._worked or self._document.modified
         self._begun = self._document.undo_stack.index()
         self._focused = window.focusWidget()
-        compares = self._compares()
+        self._keep_comparison()
         self.presenting_changed.emit(True)
         self._workspaces.begin_show()
         for bar in self._bars():
@@ -278,12 +279,9 @@ class Presenter(QObject):
         # Keys of menus that are away would be dead; here Space moves no actuator.
         window.addActions([each for name, each in self._actions().items() if name != "play"])
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
-        stage = cast("StagePanel", self._made[STAGE])
-        if compares and not stage_settings(self._document.view).compared:
-            stage.compare()
         keys = {name: key_text("presenting", name) for name in KEYS["presenting"].gestures}
-        more, end, other = map(shortcut_text, ("show_keys", "present", "toggle_snapshots"))
-        self.done.emit(_HINTS.format(**keys, more=more, end=end, other=other))
+        more, end = map(shortcut_text, ("show_keys", "present"))
+        self.done.emit(_HINTS.format(**keys, more=more, end=end))
 
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
@@ -340,7 +338,7 @@ class Presenter(QObject):
         page = self._page
         if page is None:
             of_show = self._show_path, self._entries
-            page = pages.ShowPage(self._document, self._preferences, self._window, *of_show)
+            page = pages.ShowPage(self._shown_entry, self._preferences, self._window, *of_show)
             page.presented.connect(self._present)
             # It comes back with what is not saved.
             self.presenting_changed.connect(page.setHidden)
@@ -383,10 +381,20 @@ class Presenter(QObject):
         path = self._document.path
         return self._document.scene or ("" if path is None else path.stem)
 
-    def _compares(self) -> bool:
-        """Return whether the Compare panel is in sight, and shows several maps."""
-        shown = [panel for panel in self._made if panel.name == "compare" and panel.isVisible()]
-        return any(len(cast("MapsPanel", panel).maps.content.cells) > 1 for panel in shown)
+    def _keep_comparison(self) -> None:
+        """Have the stage show what the Compare panel compares, if that is in sight."""
+        document, view = self._document, self._document.view
+        if "compare" in self._made and (panel := self._made["compare"]).isVisible():
+            maps = cast("MapsPanel", panel)
+            several = maps.kind.is_several(maps.settings, document.design, view)
+            stage = replace(settings_of(view, STAGE, StageSettings), compared=several)
+            document.look(with_settings(view, STAGE, stage))
+
+    def _shown_entry(self) -> ShowEntry:
+        """Return the entry of a show that the design in the window is now."""
+        self._keep_comparison()
+        design, name = self._document.design, self._document_name or "Untitled"
+        return ShowEntry.of(design, self._document.view, design.title or name)
 
     def _bars(self) -> list[QtWidgets.QWidget]:
         return [self._window.menuWidget(), self._window.statusBar()]

@@ -31,6 +31,12 @@ _MEANINGS: dict[Scaling, str] = {
     "relative": "A factor: 1 is the measuring pulse",
     "probe": "Acceleration of the probe, within about 3 dB",
 }
+# What follows an amplitude.
+_IN_SHORT: dict[Scaling, str] = {
+    "upstream": "peak on the skin",
+    "relative": "of the measuring pulse",
+    "probe": "at the probe",
+}
 # For limbs whose responses answer a drive of unknown unit.
 _MEANINGS_OF_DRIVES: dict[Scaling, str] = {
     "upstream": _MEANINGS["upstream"],
@@ -112,8 +118,15 @@ def amplitude_meaning(design: Design) -> str:
     """Say what an input's amplitude means."""
     if design.actuated is None:
         return (_MEANINGS if _unit_known(design) else _MEANINGS_OF_DRIVES)[design.scaling]
-    volts = design.actuated.equaliser is None
-    return "Voltage at the actuator" if volts else "Acceleration of the contactor"
+    quantity = "Voltage" if design.actuated.equaliser is None else "Acceleration"
+    return f"{quantity} {amplitude_in_short(design)}"
+
+
+def amplitude_in_short(design: Design) -> str:
+    """Return what follows the amplitude of an input: ``"at the probe"``."""
+    if design.actuated is None:
+        return _IN_SHORT[design.scaling]
+    return "at the actuator" if design.actuated.equaliser is None else "at the contactor"
 
 
 def amplitude_spec(design: Design) -> NumberSpec:

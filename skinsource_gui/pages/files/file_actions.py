@@ -144,6 +144,8 @@ class FileActions(QObject):
     show_wanted = Signal(object)
     #: A new design was started.
     started_over = Signal()
+    #: The design is about to be written.
+    saving = Signal()
     #: The next step might end the studio, so unsaved work is to be saved now.
     risk_ahead = Signal()
     #: The folder in which the next file is expected, `Path`.
@@ -349,6 +351,7 @@ class FileActions(QObject):
             if not ask_yes(self._window, "Replace the file?", f"{reason}. {_MAYBE_ENDED}"):
                 return False
             self.held.take(path, from_other=True)
+        self.saving.emit()
         try:
             save_design(path, document.design, document.view, layout=self._arrangement())
         except SkinSourceError as error:

@@ -54,7 +54,8 @@ class MapsFilm:
         # The film may be drawn while its preview is.
         moving = copy(self.moving)
         moving.turns = turns
-        about = f"{1e3 * moving.said_s:.1f} ms"
+        of = f" of {1e3 * moving.longest_s:.1f}" if moving.repeats else ""
+        about = f"{1e3 * moving.said_s:.1f}{of} ms"
         content = replace(self.content, cells=moving.cells(), about=about)
 
         def draw(painter: QtGui.QPainter, width: int, height: int, theme: Theme) -> None:

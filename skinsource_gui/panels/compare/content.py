@@ -20,6 +20,7 @@ from skinsource.design.comparing import (
     scale_end_db,
     snapshot_name,
     why_no_comparison,
+    with_edited,
 )
 from skinsource.design.design import EDITED, Design, Snapshot, View, shown_snapshot
 from skinsource.design.labels import (
@@ -466,6 +467,12 @@ class Kind:
     def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
         """Return the limbs or frequencies at which the design is predicted."""
         return ()
+
+    def is_several(self, settings: CompareSettings, design: Design, view: View) -> bool:
+        """Return whether there is more than one side."""
+        stored = "snapshots" in self.fields
+        sides = with_edited(view.snapshots, design) if stored else self.beside(settings, design)
+        return self.own or len(sides) > 1
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         """Return the sides from results of the design in the window, which hold its ``needs``."""

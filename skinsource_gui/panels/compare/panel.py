@@ -102,6 +102,9 @@ _OF_SNAPSHOTS = (
 )
 
 
+_FIXED = QtWidgets.QSizePolicy.Policy.Fixed
+
+
 class ChoicesBar(QtWidgets.QWidget):
     """The choices above the maps; a choice emits another view.
 
@@ -124,6 +127,10 @@ class ChoicesBar(QtWidgets.QWidget):
         self._view, self.settings = View(), CompareSettings()
         self.of, self.shown = named(ChoiceField(OF, self), "compare_of"), ChoiceField(SHOWN, self)
         self.shown.setObjectName("compare_shown")
+        # Whatever is chosen, both stay in their place.
+        for chooser, spec in ((self.of, OF), (self.shown, SHOWN)):
+            chooser.setMinimumContentsLength(max(len(title) for _, title in spec.options))
+            chooser.setSizePolicy(_FIXED, _FIXED)
         self.of.edited.connect(lambda of, _: self._change(of=of))
         self.shown.edited.connect(lambda what, _: self._change(shown=what))
         own = OWN_MAXIMUM

@@ -26,7 +26,6 @@ from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, amplitude_unit, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
-from skinsource.design.comparing import with_edited
 from skinsource.design.design import AMPLITUDE_GAIN, EDITED, Design, Input, View
 from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import Edit, clip_of, leading_input
@@ -819,12 +818,8 @@ class StagePanel(MapsPanel):
 
 def _compared(design: Design, view: View, compare: CompareSettings) -> Kind:
     """Return what is compared, people where that is less than two, or the design alone."""
-    snapshots = with_edited(view.snapshots, design)
-    for kind in (KINDS[compare.of], KINDS["limbs"]):
-        sides = snapshots if kind is KINDS["snapshots"] else kind.beside(compare, design)
-        if kind.own or len(sides) > 1:
-            return kind
-    return _ALONE
+    kinds = KINDS[compare.of], KINDS["limbs"]
+    return next((kind for kind in kinds if kind.is_several(compare, design, view)), _ALONE)
 
 
 def _in_rows(side: Compared, loop: Loop, curves: list[Curve], rows: list[int]) -> list[Curve]:

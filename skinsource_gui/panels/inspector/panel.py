@@ -12,6 +12,8 @@ from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 from skinsource.base.conventions import Band, Floats
 from skinsource.design import edits
 from skinsource.design.amplitudes import (
+    amplitude_in_short,
+    amplitude_meaning,
     amplitude_spec,
     is_gain,
     peak_before_amplitude,
@@ -119,12 +121,6 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
 _TITLE = replace(TITLE, hint="Of the window, pictures and exported files")
 _SENTENCE = replace(SENTENCE, hint="Below the title on the stage; begins the notes")
 _CLIP_GAIN = replace(GAIN, label="Clip gain")
-#: What follows an amplitude, by the scaling of the design.
-_MEANINGS = {
-    "probe": "at the probe",
-    "upstream": "peak on the skin",
-    "relative": "of the measuring pulse",
-}
 
 
 class Meaning(QtWidgets.QToolButton):
@@ -153,9 +149,11 @@ class Meaning(QtWidgets.QToolButton):
             action.setToolTip(tooltip(word.sentence))
             action.setChecked(word.name == design.scaling)
             if action.isChecked():
-                self.setText(_MEANINGS[word.name])
-                self.setAccessibleName(f"Scaling: {word.title}")
-                show_tooltip(self, tooltip(f"{word.title}: {word.sentence}"))
+                own = design.actuated is None
+                texts = (word.title, word.sentence) if own else (amplitude_meaning(design),)
+                self.setText(amplitude_in_short(design))
+                self.setAccessibleName(f"Scaling: {texts[0]}")
+                show_tooltip(self, tooltip(": ".join(texts)))
 
 
 class InputFields(QObject):

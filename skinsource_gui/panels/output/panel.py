@@ -23,7 +23,7 @@ from skinsource.actuators.equalising import (
 )
 from skinsource.base.conventions import Band
 from skinsource.design import edits
-from skinsource.design.amplitudes import amplitude_unit, equaliser_of
+from skinsource.design.amplitudes import amplitude_in_short, amplitude_unit, equaliser_of
 from skinsource.design.design import Design, View
 from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import Edit
@@ -496,8 +496,7 @@ def _about_text(actuator: ActuatorAt) -> str:
 
 _THROUGH = "Predict through the actuator"
 _THROUGH_HINT = "Show all levels, maps and traces through this actuator"
-_VOLTS = "Amplitude 1 = 1 V at the actuator."
-_ACCELERATIONS = "Amplitude 1 = 1 m/s² at the contactor, as far as the equaliser reaches."
+_AS_FAR = ", as far as the equaliser reaches"
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _PLOT_PX = 190
@@ -649,7 +648,7 @@ class OutputPanel(Panel):
             return
         self._drawn = drawn
         self.choices.show_actuation(actuation)
-        self._show_through(actuation)
+        self._show_through()
         self.more.setText("Less" if settings.more else "More")
         arrow = Qt.ArrowType.DownArrow if settings.more else Qt.ArrowType.RightArrow
         self.more.setArrowType(arrow)
@@ -669,14 +668,15 @@ class OutputPanel(Panel):
         curves = response_curves(model, before, design.actuation.equaliser, band)
         self.plot.show_over(frequency_axis(band), curves)
 
-    def _show_through(self, actuation: Actuation | None) -> None:
-        on = actuation is not None and actuation.on
-        self.through.setChecked(on)
-        self.through.setEnabled(actuation is not None)
-        self.through.setToolTip(_THROUGH_HINT if actuation is not None else "Choose an actuator")
-        volts = actuation is not None and actuation.equaliser is None
-        self.through_text.setText(_VOLTS if volts else _ACCELERATIONS)
-        self.through_text.setVisible(on)
+    def _show_through(self) -> None:
+        design, actuated = self._design, self._design.actuated
+        self.through.setChecked(actuated is not None)
+        self.through.setEnabled(design.actuation is not None)
+        self.through.setToolTip(_THROUGH_HINT if design.actuation else "Choose an actuator")
+        reach = _AS_FAR if actuated is not None and actuated.equaliser is not None else ""
+        meaning = f"{amplitude_unit(design)} {amplitude_in_short(design)}{reach}"
+        self.through_text.setText(f"Amplitude 1 = 1 {meaning}.")
+        self.through_text.setVisible(actuated is not None)
 
     def _show_text(self, played: Played) -> None:
         sentences = [] if played.wired else [_NOT_WIRED if played.rig_title else _NO_INPUTS]
@@ -728,7 +728,7 @@ class OutputPanel(Panel):
             through = replace(design.actuation, on=on)
             self.edited.emit(edits.predict_through(design, self._view, through), None)
             # After a refusal the box shows the state of the design again.
-            self._show_through(self._design.actuation)
+            self._show_through()
 
     def _choose(self, actuation: Actuation | None, gesture: int | None = None) -> None:
         outcome = edits.choose_actuation(self._design, self._view, actuation)

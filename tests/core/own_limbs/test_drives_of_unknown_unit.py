@@ -80,7 +80,7 @@ def test_actuators_are_asked_for_volts_or_accelerations_whatever_the_limb_answer
     accelerations = replace(LAB, actuation=asked)
     assert (amplitude_unit(volts), drive_unit(volts)) == ("V", "V")
     assert (amplitude_unit(accelerations), drive_unit(accelerations)) == ("m/s²", "m/s²")
-    assert amplitude_meaning(accelerations) == "Acceleration of the contactor"
+    assert amplitude_meaning(accelerations) == "Acceleration at the contactor"
     off = replace(LAB, actuation=replace(asked, on=False))
     assert amplitude_unit(off) == "a.u."
 

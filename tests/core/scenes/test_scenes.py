@@ -40,6 +40,8 @@ def test_each_says_what_it_is_where_it_is_from_and_what_is_inferred(name):
     turned = stage_settings(content.view).control
     assert turned in {"frequency", "amplitude"}
     assert known.to_try.startswith("Try: ")
+    # L shows motion where levels are shown.
+    assert stage_settings(content.view).moves or "levels" not in known.to_try
     if turned == "frequency":
         (selected,) = content.view.selected_inputs
         assert hasattr(content.design.input(selected).clips[0].waveform, "frequency_hz")

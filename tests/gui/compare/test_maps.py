@@ -1,6 +1,7 @@
 """Compared maps: the same numbers as alone, one scale, one pointer, no cost while hidden."""
 
 from dataclasses import replace
+from itertools import product
 from unittest.mock import patch
 
 import numpy as np
@@ -21,6 +22,8 @@ from skinsource_gui.panels.compare.content import (
     of_spread,
     snapshot_names,
 )
+from skinsource_gui.panels.compare.panel import ChoicesBar
+from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.plots.small_map import paint_small_map, tick_text
 from skinsource_gui.qt.theme import LIGHT
@@ -195,6 +198,18 @@ def test_each_map_can_be_drawn_to_its_own_maximum(window, panel, qtbot):
         assert not panel.bar.own_maximum.isVisible()
     choose(window, of="axes")
     assert shown(panel, qtbot, 3)[0].maximum_db is not None
+
+
+def test_the_choosers_stay_in_their_place_whatever_is_chosen(qtbot):
+    bar, places = ChoicesBar("compare", None), set()
+    qtbot.addWidget(bar)
+    bar.resize(900, 60)
+    for of, what in product(("snapshots", "limbs", "axes", "frequencies"), ("levels", "motion")):
+        view = with_settings(View(), "compare", CompareSettings(of=of, shown=what))
+        bar.show_state(Design(limb="synthetic-1"), view)
+        bar.grab()
+        places.add((bar.of.geometry().getRect(), bar.shown.geometry().getRect()))
+    assert len(places) == 1
 
 
 def test_each_axis_has_the_levels_that_the_skin_map_has_along_it(window, panel, qtbot, settle):

@@ -8,7 +8,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QToolButton, QWidget
 
-from skinsource import Clip, Design, Input
+from skinsource import Actuation, Clip, Design, Input, actuators
+from skinsource.actuators.actuation import ActuatorAt
 from skinsource.design.effects import Repeat, Reverse, Stretch, Trim
 from skinsource.design.waveforms import Drawn, Formula, Noise, Recording, Tap, Tone, WaveletTrain
 from skinsource.design.waveforms.tones import Chirp, Glide
@@ -311,6 +312,11 @@ def test_what_an_amplitude_means_is_said_and_chosen_beside_it(bench):
     assert bench.design.scaling == "relative"
     assert meaning.text() == "of the measuring pulse"
     assert meaning.accessibleName() == "Scaling: Equal drives"
+    coil = ActuatorAt(actuator="Coil", model=actuators.load("example-resonant"))
+    chosen = Actuation(actuators=(coil,))
+    bench.show(design=replace(bench.design, scaling="probe", actuation=chosen))
+    for text in (meaning.text(), meaning.toolTip(), meaning.accessibleName()):
+        assert text.endswith("at the actuator")
 
 
 @pytest.mark.parametrize("waveform", [Tone(), WaveletTrain(), Drawn()])

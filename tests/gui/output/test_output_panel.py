@@ -192,7 +192,7 @@ def test_the_switch_predicts_through_what_is_chosen_and_back(window, panel, qtbo
     design = window.document.design
     assert design.actuated == replace(bench.CHOSEN, on=True)
     assert panel.through.isChecked()
-    assert "1 m/s²" in panel.through_text.text()
+    assert "1 m/s² at the contactor, as far" in panel.through_text.text()
     after = ss.evaluate(design, "output_levels_db")["output_levels_db"]
     # A coil whose boost is limited moves less at 40 Hz than it is asked to.
     assert (after < before - 0.1).all()

@@ -106,6 +106,7 @@ def test_while_the_bars_are_away_words_lie_over_the_window(studio):
     assert "F9 or Esc: leave" in studio.notice.text
     # There, or at its control, every key of the stage is named.
     tips = [part.toolTip() for part in studio.panel("stage").findChildren(QWidget)]
+    assert "other" in KEYS["presenting"].gestures
     for key in (key_text("presenting", name) for name in KEYS["presenting"].gestures):
         assert re.search(rf"\b{key}(:|\)| or)", f"{studio.notice.text} {tips}")
     studio.do("next_scene")

@@ -6,7 +6,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
 import skinsource as ss
-from skinsource.design.design_file import ShowEntry
+from skinsource.design.design_file import ShowEntry, open_design
+from skinsource.design.panel_settings import stage_settings
+from tests.gui.compare.compare_bench import choose
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -72,6 +74,21 @@ def test_a_show_is_presented_in_its_order(studio, made, path):
         studio.do("next_scene")
         shown.append(studio.panel("stage").heading.text())
     assert shown == ["1 tap", "3 both", "Two inputs interfere"]
+
+
+def test_the_stage_shows_what_the_compare_panel_in_sight_compared(studio, page):
+    for of, several in (("limbs", True), ("snapshots", False)):
+        studio.docks["compare"].bring_forward()
+        choose(studio, of=of)
+        # There are no snapshots: of the design that is saved, added and presented there is one map.
+        page.add_open_design()
+        studio.files.save()
+        views = page.entries[-1].presented[1], open_design(studio.document.path).view
+        assert [stage_settings(view).compared for view in views] == 2 * [several]
+    choose(studio, of="axes")
+    studio.do("present")
+    assert studio.panel("stage").switch.isChecked()
+    studio.do("present")
 
 
 @pytest.mark.parametrize("saved", [False, True])

@@ -571,7 +571,7 @@ def with_losses(drives: Stimulus, own: Stimulus, options: StimulusOptions, stop:
 def weakened_by(
     equaliser: Equaliser, wanted: Stimulus, rig: Rig | None, actuation: Actuation | None
 ) -> str:
-    """Return where most is missing of the accelerations that are wanted; "": nowhere much is.
+    """Return where the wanted accelerations are weakened most; "": nowhere much.
 
     Compared is the energy in third octaves, before and after equaliser and actuator.
     """
@@ -592,14 +592,13 @@ def weakened_by(
         before = np.bincount(band, energy)
         after = np.bincount(band, energy * np.abs(gain) ** 2)
         level_db = decibels(np.sqrt(before))
-        loss_db = level_db - decibels(np.sqrt(after))
         neighbours_db = scipy.ndimage.maximum_filter1d(level_db, 3)
         felt = np.maximum(neighbours_db - _FLANK_DB, level_db.max() - _WITHIN_DB) <= level_db
-        missing = np.where(felt & (loss_db >= LEAST_WEAKENED_DB), before - after, 0.0)
-        if missing.any():
-            most = int(missing.argmax())
+        felt_loss_db = np.where(felt, level_db - decibels(np.sqrt(after)), 0.0)
+        most = int(felt_loss_db.argmax())
+        if felt_loss_db[most] >= LEAST_WEAKENED_DB:
             middle_hz = np.bincount(band, energy * frequency_hz)[most] / before[most]
-            losses.append((float(loss_db[most]), place, middle_hz))
+            losses.append((float(felt_loss_db[most]), place, middle_hz))
     if not losses:
         return ""
     loss, place, middle_hz = max(losses)
@@ -607,8 +606,8 @@ def weakened_by(
     if isinstance(equaliser, RegularisedInverse):
         limit = f"{equaliser.boost_db:g} dB, from {band_hz[0]:.4g} to {band_hz[1]:.4g} Hz"
     return (
-        f"The equaliser is limited to {limit}: at {middle_hz:.0f} Hz the skin at place {place} "
-        f"gets {loss:.1f} dB less."
+        f"The equaliser is limited to {limit}: the skin loses most at place {place}, at "
+        f"{middle_hz:.0f} Hz, where it gets {loss:.1f} dB less."
     )
 
 
