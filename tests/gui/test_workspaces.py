@@ -198,6 +198,25 @@ def test_a_session_goes_on_where_the_last_one_ended(session, preferences):
     assert "inspector" not in in_sight(elsewhere)
 
 
+def test_what_folds_out_below_keeps_its_height_in_a_session_of_another_size(
+    session, preferences, qtbot
+):
+    window = session()
+    window.resize(*LARGE)
+    qtbot.waitUntil(lambda: window.workspaces.settled)
+    window.docks["library"].bring_forward()
+    window.close()
+    preferences.screen = "1440 x 900 at 1"
+    again = session()
+    for size in ((1440, 860), (1500, 860)):
+        again.resize(*size)
+        height = again.panel("library").sizeHint().height()
+        qtbot.waitUntil(lambda: again.workspaces.settled)
+        qtbot.waitUntil(lambda height=height: again.docks["library"].height() == height)
+        assert place(again, "library").width() == size[0]
+        assert "library" in in_sight(again)
+
+
 def test_a_panel_that_floated_is_in_front_of_the_window_again(session, qtbot, monkeypatch):
     window = session()
     window.docks["inspector"].setFloating(True)
