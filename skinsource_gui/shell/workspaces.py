@@ -58,6 +58,8 @@ class Workspace:
         Another panel comes up as a tab beside this one.
     hosts
         By name of a panel, the host where it is another one.
+    tabs
+        Panels that are tabs from the first, behind their hosts.
     beside
         By name of a panel, the one beside which it comes up where it shares no place.
     folds
@@ -69,6 +71,7 @@ class Workspace:
     split: Split
     host: str
     hosts: Mapping[str, str] = field(default_factory=dict)
+    tabs: tuple[str, ...] = ()
     beside: Mapping[str, str] = field(default_factory=dict)
     folds: tuple[Split, ...] = ()
 
@@ -99,6 +102,7 @@ WORKSPACES: tuple[Workspace, ...] = (
         # Not the skin: outputs are chosen there.
         host="spectra",
         hosts={"analysis_2": "traces"},
+        tabs=("analysis",),
         folds=(_PLOTS,),
     ),
     Workspace(
@@ -335,7 +339,7 @@ class Workspaces(QObject):
                 if panel not in (*in_sight, *workspace.beside, *self._below):
                     host = workspace.hosts.get(panel, workspace.host)
                     self._window.tabifyDockWidget(self._docks[host], dock)
-                dock.setVisible(panel in in_sight)
+                dock.setVisible(panel in (*in_sight, *workspace.tabs))
             for panel in reversed(in_sight):
                 self._docks[panel].raise_()
         self._moved = False

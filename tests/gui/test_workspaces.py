@@ -118,6 +118,8 @@ def test_hidden_panels_come_up_as_tabs_and_squeeze_none(window, settle):
         settle()
         first = sizes(window)
         assert set(first) == set(workspace.split.panels())
+        shown = {name for name, dock in window.docks.items() if not dock.isHidden()}
+        assert shown.difference(first) == ({"analysis"} if workspace.name == "analysis" else set())
         for name in {"timeline", "clip_editor", "compare", "analysis"}.difference(first):
             dock = window.docks[name]
             dock.bring_forward()
@@ -187,7 +189,8 @@ def test_a_session_goes_on_where_the_last_one_ended(session, preferences):
     assert preferences.screen == "800 x 800 at 1"
     again = session()
     assert again.workspaces.is_placed
-    assert in_sight(again) == {"skin", "traces"}
+    # The tab behind what was hidden comes up.
+    assert in_sight(again) == {"skin", "traces", "analysis"}
     again.do(COMPOSE)
     assert in_sight(again) == own
     again.close()
