@@ -253,8 +253,10 @@ class Conditions(QObject):
     def _tell(self, panel: Panel) -> None:
         panel.show_noisy(self._noisy)
         # The noise of other designs beside this one is known where they are shown.
-        text = chip_text(tuple(each for each in self.chip.findings if each.name != "noise"))
-        panel.show_caution(text if text.startswith(_CAUTION) else "")
+        told = _CAUTIONS.keys() - {"noise"}
+        left = (each for each in self.chip.findings if each.state == "left" and each.name in told)
+        text = "; ".join(_CAUTIONS[each.name] for each in left)
+        panel.show_caution(f"{_CAUTION} {text[0].upper()}{text[1:]}" if text else "")
 
     def _explain(self) -> None:
         mend = partial(edits.mend, self._document.design, self._document.view)

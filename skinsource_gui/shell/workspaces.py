@@ -58,6 +58,8 @@ class Workspace:
         Another panel comes up as a tab beside this one.
     hosts
         By name of a panel, the host where it is another one.
+    tabs
+        Panels that are tabs from the first, behind their hosts.
     beside
         By name of a panel, the one beside which it comes up where it shares no place.
     folds
@@ -69,6 +71,7 @@ class Workspace:
     split: Split
     host: str
     hosts: Mapping[str, str] = field(default_factory=dict)
+    tabs: tuple[str, ...] = ()
     beside: Mapping[str, str] = field(default_factory=dict)
     folds: tuple[Split, ...] = ()
 
@@ -99,6 +102,7 @@ WORKSPACES: tuple[Workspace, ...] = (
         # Not the skin: outputs are chosen there.
         host="spectra",
         hosts={"analysis_2": "traces"},
+        tabs=("analysis",),
         folds=(_PLOTS,),
     ),
     Workspace(
@@ -278,13 +282,7 @@ class Workspaces(QObject):
             known = known and not (self.is_placed and self._window.isHidden())
             # A layout of Qt begins with the size of all docks, behind some numbers.
             if known and QSize(*unpack_from(">ii", content, 17)).expandedTo(room) != room:
-                before = self._state()
-                self._show(self._present.name)
-                for name, (hidden, _, in_sight) in before.items():
-                    if hidden:
-                        self._docks[name].hide()
-                    elif in_sight and self._docks[name].isHidden():
-                        self._docks[name].bring_forward()
+                self._show_anew()
 
     def restore(self) -> None:
         """Restore the last session; place and size of the window only where its screen is there."""
@@ -341,7 +339,7 @@ class Workspaces(QObject):
                 if panel not in (*in_sight, *workspace.beside, *self._below):
                     host = workspace.hosts.get(panel, workspace.host)
                     self._window.tabifyDockWidget(self._docks[host], dock)
-                dock.setVisible(panel in in_sight)
+                dock.setVisible(panel in (*in_sight, *workspace.tabs))
             for panel in reversed(in_sight):
                 self._docks[panel].raise_()
         self._moved = False
@@ -351,6 +349,17 @@ class Workspaces(QObject):
             self._docks[STAGE].panel.setFocus()
         self._keyboard.settle()
         self.shown.emit(workspace.name)
+
+    def _show_anew(self) -> None:
+        """Put the docks where they are at first, and keep which of them are in sight."""
+        before = self._state()
+        self._show(self._present.name)
+        for name, (hidden, _, in_sight) in before.items():
+            dock = self._docks[name]
+            if hidden:
+                dock.hide()
+            elif dock.isHidden():
+                dock.bring_forward() if in_sight else dock.show()
 
     def _place(self, split: Split) -> None:
         parts = (part for part, _ in split.parts)
@@ -367,7 +376,12 @@ class Workspaces(QObject):
 
     def _share_room(self) -> None:
         """Give the panels of the present workspace their first sizes."""
-        self._share(self._present.split, self._room())
+        room = self._room()
+        for panel in self._below:
+            if self._docks[panel].in_sight:
+                height = self._docks[panel].panel.sizeHint().height()
+                room -= QSize(0, height + self._window.style().pixelMetric(_GAP))
+        self._share(self._present.split, room)
 
     def _room(self) -> QSize:
         window = self._window
@@ -463,7 +477,7 @@ class Workspaces(QObject):
             return
         before = self._folded, self._below
         if (self._folds(), self._fold_out()) != before:
-            self._show(self._present.name)
+            self._show_anew()
         else:
             self._settling.start()
 

@@ -62,14 +62,6 @@ def test_a_new_clip_is_added_and_selected():
     assert outcome.label == "Add clip"
 
 
-@pytest.mark.parametrize(
-    ("gone", "selected"), [((2,), (3,)), ((4,), (3,)), ((1,), (2,)), ((3, 4), (2,))]
-)
-def test_where_clips_are_removed_the_next_one_is_selected_or_else_the_last(gone, selected):
-    four = design_of(*(Clip(onset_s=onset_s) for onset_s in (0.0, 1.0, 1.9, 4.0)))
-    assert edits.remove_clips(four, View(), gone).view.selected_clips == selected
-
-
 def test_gain_label_and_silence_of_clips_are_set_by_name():
     design = edits.set_clips(DESIGN, VIEW, (1, 5), "gain", 3).design
     assert [clip.gain for clip in design.clips] == [3.0, -0.5, 1.0, 1.0, 3.0]

@@ -118,6 +118,8 @@ def test_hidden_panels_come_up_as_tabs_and_squeeze_none(window, settle):
         settle()
         first = sizes(window)
         assert set(first) == set(workspace.split.panels())
+        shown = {name for name, dock in window.docks.items() if not dock.isHidden()}
+        assert shown.difference(first) == ({"analysis"} if workspace.name == "analysis" else set())
         for name in {"timeline", "clip_editor", "compare", "analysis"}.difference(first):
             dock = window.docks[name]
             dock.bring_forward()
@@ -187,7 +189,8 @@ def test_a_session_goes_on_where_the_last_one_ended(session, preferences):
     assert preferences.screen == "800 x 800 at 1"
     again = session()
     assert again.workspaces.is_placed
-    assert in_sight(again) == {"skin", "traces"}
+    # The tab behind what was hidden comes up.
+    assert in_sight(again) == {"skin", "traces", "analysis"}
     again.do(COMPOSE)
     assert in_sight(again) == own
     again.close()
@@ -196,6 +199,25 @@ def test_a_session_goes_on_where_the_last_one_ended(session, preferences):
     elsewhere = session()
     assert not elsewhere.workspaces.is_placed
     assert "inspector" not in in_sight(elsewhere)
+
+
+def test_what_folds_out_below_keeps_its_height_in_a_session_of_another_size(
+    session, preferences, qtbot
+):
+    window = session()
+    window.resize(*LARGE)
+    qtbot.waitUntil(lambda: window.workspaces.settled)
+    window.docks["library"].bring_forward()
+    window.close()
+    preferences.screen = "1440 x 900 at 1"
+    again = session()
+    for size in ((1440, 860), (1500, 860)):
+        again.resize(*size)
+        height = again.panel("library").sizeHint().height()
+        qtbot.waitUntil(lambda: again.workspaces.settled)
+        qtbot.waitUntil(lambda height=height: again.docks["library"].height() == height)
+        assert place(again, "library").width() == size[0]
+        assert "library" in in_sight(again)
 
 
 def test_a_panel_that_floated_is_in_front_of_the_window_again(session, qtbot, monkeypatch):

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any, ClassVar
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QRectF, QSize, Signal
+from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, Signal
 
 from skinsource.design import edits
 from skinsource.design.comparing import MOST_SIDE_BY_SIDE, other_snapshot
@@ -36,6 +36,8 @@ from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
 
+_TICKING = Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space
+
 
 class LimbsButton(QtWidgets.QToolButton):
     """Opens a list of all limbs, of which two to six are ticked.
@@ -59,10 +61,25 @@ class LimbsButton(QtWidgets.QToolButton):
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         self.menu_of_limbs = menu_of(self)
         self.menu_of_limbs.aboutToShow.connect(self.fill)
+        self.menu_of_limbs.installEventFilter(self)
 
     def show_chosen(self, chosen: Sequence[str], *, usual: bool) -> None:
         """Take over which limbs are shown, and whether these are the usual ones."""
         self._chosen, self._usual = tuple(chosen), usual
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        menu = self.menu_of_limbs
+        entry, ticks = menu.activeAction(), event.type() == QEvent.Type.MouseButtonRelease
+        if isinstance(event, QtGui.QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+            ticks = event.key() in _TICKING
+        if not ticks or entry is None or not entry.isEnabled():
+            return super().eventFilter(watched, event)
+        # The menu stays open for the next tick.
+        at = menu.actions().index(entry)
+        entry.trigger()
+        self.fill()
+        menu.setActiveAction(menu.actions()[at])
+        return True
 
     def fill(self) -> None:
         """Offer the limbs that there are now."""

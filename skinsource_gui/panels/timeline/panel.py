@@ -337,10 +337,7 @@ class TimelinePanel(Panel):
         if new or self._view.selected_clip is None:
             values = np.zeros(round(_DRAWN_S * self._rate_hz))
             drawn = Drawn(Samples(values=values, sample_rate_hz=self._rate_hz))
-            if (track := self._view.selected_input) is None:
-                self.lanes.edit(edits.add_waveform, drawn)
-            else:
-                self.lanes.edit(edits.add_clip, track, self._view.playhead_s, drawn)
+            self.lanes.edit(edits.add_waveform, drawn)
         self.action_requested.emit("draw_clip")
 
     def _show_heads(self) -> None:

@@ -6,7 +6,7 @@ from unittest.mock import patch
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QRectF, Qt
+from PySide6.QtCore import QEvent, QPoint, QRectF, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -267,6 +267,18 @@ def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot)
     assert not offered["Related limbs"].isChecked()
     offered["Related limbs"].trigger()
     shown(panel, qtbot, 4)
+    # The menu stays open from tick to tick, by mouse and by key.
+    menu = panel.bar.limbs.menu_of_limbs
+    menu.popup(QPoint())
+    place = menu.actionGeometry(menu.actions()[3]).center()
+    QTest.mouseClick(menu, Qt.MouseButton.LeftButton, pos=place)
+    shown(panel, qtbot, 3)
+    QTest.keyClick(menu, Qt.Key.Key_Down)
+    QTest.keyClick(menu, Qt.Key.Key_Return)
+    cells = shown(panel, qtbot, 2)
+    assert [cell.limb for cell in cells] == ["synthetic-1", "synthetic-4"]
+    assert menu.isVisible()
+    menu.close()
 
 
 def test_a_limb_that_is_missing_laid_out_otherwise_or_too_large_says_so(

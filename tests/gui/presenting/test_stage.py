@@ -321,9 +321,13 @@ def test_what_leaves_the_conditions_is_said_on_the_stage(stage, qtbot):
     complete(stage, qtbot, 1)
     qtbot.waitUntil(lambda: bool(window.conditions.chip.findings), timeout=10_000)
     qtbot.waitUntil(lambda: not stage.caution.text(), timeout=10_000)
-    window.document.edit("Loud", window.document.design.with_input(0, amplitude=1000.0))
+    fast = ss.waveforms.Tone(frequency_hz=640.0)
+    loud = window.document.design.with_input(0, amplitude=1e3, clips=(ss.Clip(waveform=fast),))
+    window.document.edit("Loud", loud)
     qtbot.waitUntil(lambda: bool(stage.caution.text()), timeout=10_000)
-    assert stage.caution.text() == window.conditions.chip.text()
+    assert window.conditions.chip.text() == "⚠ Outside the measured band, 2 more"
+    told = "outside the measured band; probe too fast; waves shorter than the sensor spacing"
+    assert stage.caution.text() == f"⚠ {told}".replace("o", "O", 1)
     assert not stage.caution.geometry().intersects(stage.maps.geometry())
 
 

@@ -300,6 +300,9 @@ def test_the_menu_of_the_button_adds_clips_and_tracks(empty):
     assert train.onset_s == tone.end_s
     assert "at 200 ms, behind the last" in empty.statusBar().currentMessage()
     assert empty.focusWidget() is empty.panel("timeline").lanes
+    entries["Draw"].trigger()
+    drawn = empty.document.design.inputs[0].clips[-1]
+    assert (type(drawn.waveform), drawn.onset_s) == (Drawn, train.end_s)
     entries["Track"].trigger()
     assert [track.location for track in empty.document.design.inputs] == [7, 8]
     assert empty.document.view.selected_inputs == (2,)
@@ -314,14 +317,6 @@ def test_a_first_drawn_waveform_takes_one_click_and_the_pen_lies_ready(empty):
     editor = empty.panel("clip_editor")
     assert editor.isVisible()
     assert isinstance(editor._canvas.tool, Pen)
-
-
-def test_what_is_to_be_drawn_begins_at_the_playhead_even_over_another_clip(window):
-    window.document.look(replace(window.document.view, playhead_s=0.05))
-    entries = {entry.text(): entry for entry in button(window, "add").menu().actions()}
-    entries["Draw"].trigger()
-    drawn = window.document.design.inputs[0].clips[-1]
-    assert (type(drawn.waveform), drawn.onset_s) == (Drawn, 0.05)
 
 
 def test_a_new_clip_begins_at_the_playhead_or_behind_the_last_one_of_its_track():

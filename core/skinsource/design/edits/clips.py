@@ -141,7 +141,7 @@ def add_clip(
 
 @refusing
 def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Remove clips; the nearest clip on the track of the last one is selected.
+    """Remove clips; no clip is selected afterwards, and the selected tracks stay.
 
     Examples
     --------
@@ -152,14 +152,10 @@ def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refus
     1
     """
     chosen = chosen_clips(design, ids)
-    after = _without_clips(design, chosen)
-    last = chosen[-1]
-    others = list(after.input(design.track_of(last.id).id).clips)
-    others.sort(key=lambda clip: (clip.onset_s < last.onset_s, abs(clip.onset_s - last.onset_s)))
     return Edit(
         label=f"Remove {clips_text(design, chosen)}",
-        design=after,
-        view=clips_selected(after, view, tuple(clip.id for clip in others[:1])),
+        design=_without_clips(design, chosen),
+        view=replace(view, selected_clips=()),
     )
 
 
