@@ -22,6 +22,7 @@ from skinsource.inverse.placement import FINGERTIPS, Layout, Placement, layout, 
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import input_name
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.editors import NumbersEditor
 from skinsource_gui.fields.number_field import NumberField
@@ -106,12 +107,12 @@ def answered(asked: Question, *, progress: Progress, stop: Stop) -> Answer:
     here, wanted = limbs[asked.limb], asked.target
     axes: Axes = wanted.axes if set(wanted.axes) <= set(here.axes) else ALL_AXES
     judging: dict[str, Any] = {"targets": asked.outputs, "axes": axes, "beta": wanted.beta}
-    placed = partial(place, count=asked.count, keep_apart=asked.keep_apart, stop=stop, **judging)
-    best = []
+    wish = {**judging, "count": asked.count, "keep_apart": asked.keep_apart, "stop": stop}
+    best: list[Placement] = []
     for name, limb in limbs.items():
         progress(len(best), len(limbs), f"Trying layouts on {short_limb_title(name)}")
-        best.append(placed(limb))
-    found = placed(list(limbs.values())) if asked.everywhere else best[0]
+        best.append(place(limb, **wish))
+    found = place(list(limbs.values()), **wish) if asked.everywhere else best[0]
     return Answer(
         placement=found,
         there=tuple(
@@ -146,8 +147,10 @@ class PlacementPage(ToolPage):
         self.of, self.on = ChoiceField(_OF), ChoiceField(_ON)
         self.of.set_options([each for each in _OF.options if each[0] in self._outputs])
         self.of.set_value(next((of for of in ("strong", "tips") if self._outputs.get(of)), "path"))
-        self.which, self.count = NumbersEditor(_WHICH, self), NumberField(_COUNT)
-        self.count.set_value(_FIRST_COUNT)
+        most = min(_COUNT.maximum, facts_of(limb).n_inputs)
+        self.which = NumbersEditor(_WHICH, self)
+        self.count = NumberField(replace(_COUNT, maximum=most))
+        self.count.set_value(min(_FIRST_COUNT, most))
         self.pairs = QtWidgets.QCheckBox("Two per fingertip")
         titles = {f"{short_limb_title(name)}\nloss, dB": _LOSS_THERE for name in self._people}
         self.table = RowTable(
