@@ -8,6 +8,7 @@ from .library import fragments_to_save as fragments_to_save
 from .limbs.page import LimbPage as LimbPage
 from .matching import MatchingPage as MatchingPage
 from .motion import MotionPage as MotionPage
+from .placement import PlacementPage as PlacementPage
 from .rig.page import RigPage as RigPage
 from .scenes import ScenesPage as ScenesPage
 from .show import ShowPage as ShowPage

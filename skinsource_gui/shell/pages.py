@@ -175,6 +175,10 @@ class Pages(QObject):
         page.accepted.connect(lambda: self._panels["timeline"].setFocus())
         page.open()
 
+    def show_placement(self) -> None:
+        """Open the page that finds where actuators serve best."""
+        pages.PlacementPage(self._runner, self._limbs, self._document, self._window).open()
+
     def show_manual(self) -> None:
         """Open the manual: the README, and the pages to which it leads."""
         page = _page("Manual", "", self._window)

@@ -27,6 +27,7 @@ PAGES = (
     "show_dataset",
     "show_about",
     "show_accuracy",
+    "place_actuators",
     "export",
 )
 THERE_AND_BACK = (

@@ -5,7 +5,9 @@ from .focusing import focus as focus
 from .focusing import paint as paint
 from .focusing import quietest as quietest
 from .focusing import time_reversal as time_reversal
+from .placement import Layout as Layout
 from .placement import Placement as Placement
+from .placement import layout as layout
 from .placement import place as place
 from .reproducing import Reproduction as Reproduction
 from .reproducing import move as move

@@ -213,6 +213,8 @@ class TargetPanel(FoundPanel):
         self.detach.clicked.connect(
             lambda: self.edited.emit(edits.detach_target(self._design, self._view), None)
         )
+        self.where = page_button("where_to_put", "Where to put…", "Find places for few actuators")
+        self.where.clicked.connect(lambda: self.action_requested.emit("place_actuators"))
         # Rate and band of the limb, which limit the fields.
         self._played: tuple[float, Band | None] = SAMPLE_RATE_HZ, BAND_HZ
         self.fields = PartFields(_SPEC, new_editor, self)
@@ -292,7 +294,7 @@ class TargetPanel(FoundPanel):
             set_tone(label, "dim")
         strong, sharp = ends
         slider = in_row(strong, (self.sharpness, 1), sharp, gap_px=UNIT_PX // 2)
-        brushes = in_row(*self.brushes.values(), None, self.use_clip, self.detach)
+        brushes = in_row(*self.brushes.values(), None, self.use_clip, self.where, self.detach)
         inside = QtWidgets.QWidget()
         in_column(self.grid, None, of=inside, margins=(0, 0, UNIT_PX, 0))
         left = in_column(brushes, slider, (scrolled(inside, "target_fields"), 1))

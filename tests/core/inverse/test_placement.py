@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.placement import SAME_FINGERTIP
+from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.inverse import placement
+from skinsource.inverse.placement import FINGERTIPS, SAME_FINGERTIP
 
-TIPS = [1, 10, 19, 28, 41]
+TIPS = list(FINGERTIPS)
 
 
 @pytest.fixture(scope="module")
@@ -42,14 +43,59 @@ def test_the_score_is_that_of_its_formula(limb, axes):
     np.testing.assert_allclose(found.score_db, expected_db, rtol=1e-10)
 
 
-def test_up_to_three_no_set_is_better(limb):
+def test_up_to_three_the_ranking_is_that_of_all_sets_however_many_are_judged_at_once(
+    limb, monkeypatch
+):
+    monkeypatch.setattr(placement, "_AT_ONCE", 7)
     candidates = [6, 7, 8, 12, 13, 16]
     found = ss.inverse.place(limb, [30], 3, candidates=candidates)
-    best = max(
-        combinations(candidates, 3), key=lambda chosen: score(limb, chosen, candidates=candidates)
+    ranked = sorted(
+        combinations(candidates, 3), key=lambda chosen: -score(limb, chosen, candidates=candidates)
     )
     assert found.exhaustive
-    assert found.inputs == best
+    assert [each.inputs for each in found.ranked] == ranked[: len(found.ranked)]
+    assert found.inputs == ranked[0]
+    whole_db = score(limb, candidates, candidates=candidates)
+    for each in found.ranked:
+        expected_db = score(limb, each.inputs, candidates=candidates)
+        np.testing.assert_allclose(each.score_db, expected_db, rtol=1e-10)
+        np.testing.assert_allclose(each.loss_db, whole_db - expected_db, rtol=1e-8)
+
+
+def test_all_inputs_lose_nothing(limb):
+    (every,) = ss.inverse.place(limb, TIPS, 20, keep_apart=False).ranked
+    assert every.inputs == tuple(range(1, 21))
+    np.testing.assert_allclose(every.loss_db, 0.0, atol=1e-9)
+
+
+def test_above_three_the_others_are_one_exchange_away_and_no_better(limb):
+    found = ss.inverse.place(limb, TIPS, 5)
+    scores = [each.score_db for each in found.ranked]
+    assert not found.exhaustive
+    assert len(scores) > 3
+    assert scores == sorted(scores, reverse=True)
+    assert all(len(set(each.inputs) & set(found.inputs)) == 4 for each in found.ranked[1:])
+
+
+def test_a_layout_is_judged_elsewhere_as_it_would_be_chosen_there(limb):
+    for chosen in ss.inverse.place(limb, [30], 2).ranked:
+        same = ss.inverse.layout(limb, [30], chosen.inputs)
+        assert same.inputs == chosen.inputs
+        np.testing.assert_allclose(same.score_db, chosen.score_db, rtol=1e-12)
+        np.testing.assert_allclose(same.loss_db, chosen.loss_db, rtol=1e-9)
+    there = ss.inverse.layout("synthetic-2", [30], (12, 7))
+    expected_db = score(ss.load_limb("synthetic-2"), (7, 12))
+    np.testing.assert_allclose(there.score_db, expected_db, rtol=1e-10)
+    assert there.inputs == (7, 12)
+    with pytest.raises(InvalidInputError, match="some of the candidates"):
+        ss.inverse.layout(limb, [30], (7, 12), candidates=(7, 8))
+
+
+def test_placing_stops_when_it_is_asked_to(limb):
+    asked = []
+    with pytest.raises(Stopped):
+        ss.inverse.place(limb, TIPS, 3, stop=lambda: asked.append(0) or len(asked) > 3)
+    assert len(asked) == 4
 
 
 def test_above_three_inputs_are_exchanged_as_long_as_it_helps(limb):
