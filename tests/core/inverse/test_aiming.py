@@ -11,6 +11,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design.target import Target
 from skinsource.design.waveforms import Formula, Tap, Tone
 from skinsource.inverse.aiming import Way, aim, aim_of, on_limb, sentences, ways
+from skinsource.inverse.focusing import Wish
 
 LIMB = "synthetic-1"
 TARGET = Target(strong=(30,), waveform=Tone(100.0, duration_s=0.2))
@@ -62,6 +63,17 @@ def test_figures_are_those_of_the_map(strong):
     assert own.loudest == others[int(np.argmax(of_others))]
     assert own.loudest_db == pytest.approx(of_others.max() - bright, abs=0.3)
     assert own.quiet_db == pytest.approx(mean_db(of_others) - bright, abs=0.3)
+
+
+@pytest.mark.parametrize("strong", [(30,), (28, 29, 30)])
+def test_drives_are_found_without_the_unseen_contrast(strong, monkeypatch):
+    asked, find = [], Wish.unseen_contrast_db
+    monkeypatch.setattr(Wish, "unseen_contrast_db", lambda *given: asked.append(1) or find(*given))
+    aimed = aim_of(solved(replace(TARGET, strong=strong)))
+    assert not asked
+    ways(aimed)
+    assert aimed.focus.unseen_contrast_db is aimed.focus.unseen_contrast_db
+    assert len(asked) == 1
 
 
 def test_painted_quiet_outputs_are_quieter_than_where_all_are(limb):
