@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
@@ -13,6 +14,7 @@ from skinsource.design.panel_settings import TARGET, TargetSettings, brush_of, w
 from skinsource.design.target import is_unsolved, target_in
 from skinsource.design.waveforms import Layers, Tap, Tone
 from skinsource.inverse.aiming import aim_of
+from skinsource.inverse.focusing import Wish
 from skinsource_gui.panels.target.panel import level_text
 from tests.gui.timeline.bench import LanesBench
 
@@ -36,6 +38,7 @@ def at_target(open_window, qtbot):
             window.catch_up()
 
         window.settle_target = settled
+        window.wait_until = qtbot.waitUntil
         settled()
         return window
 
@@ -122,12 +125,18 @@ def test_the_table_says_what_three_ways_do(at_target):
     window = at_target()
     panel = window.panel(TARGET)
     assert panel.ways.isHidden()
+    assert "paint a strong output" in panel.said.text()
     stroke(window, 30)
     ways = [panel.ways.item(row, 0).text() for row in range(3)]
-    assert ways == ["Best input", "Time reversal", "Target"]
+    assert ways == ["Best input: 12", "Time reversal", "Target"]
     assert panel.ways.item(2, 1).text().endswith("II middle rad.")
     assert panel.ways.item(2, 6).text().endswith("of 40")
     assert "One actuator does as well." in panel.said.text()
+    assert "1 other track plays as well; the rows leave it out." in panel.said.text()
+    document = window.document
+    document.apply(edits.remove_inputs(document.design, document.view, document.design.ids[:1]))
+    window.settle_target()
+    assert "other track" not in panel.said.text()
 
 
 def test_the_slider_changes_drives_and_is_one_step(at_target):
@@ -144,6 +153,39 @@ def test_the_slider_changes_drives_and_is_one_step(at_target):
     assert target_of(window).drives != before
     assert not is_unsolved(window.document.design)
     assert window.document.undo_stack.count() == 2
+
+
+def test_while_a_drag_goes_on_nothing_is_judged(at_target, monkeypatch):
+    window, unseen = at_target(), []
+    stroke(window, 30)
+    find = Wish.unseen_contrast_db
+    monkeypatch.setattr(Wish, "unseen_contrast_db", lambda *given: unseen.append(1) or find(*given))
+    window.aiming.rest.setInterval(10**8)
+    slider = window.panel(TARGET).sharpness
+    slider.setSliderDown(True)
+    for steps in (50, 55, 60):
+        slider.setValue(steps)
+        window.wait_until(lambda: not is_unsolved(window.document.design))
+    assert window.aiming.busy
+    assert not unseen
+    window.aiming.rest.start(0)
+    window.settle_target()
+    assert len(unseen) == 1
+
+
+def test_a_peak_bounds_the_drives_and_says_what_is_reached(at_target):
+    window = at_target()
+    stroke(window, 30)
+    document = window.document
+    within = replace(target_of(window), peak=0.15)
+    document.apply(edits.change_target(document.design, document.view, within))
+    window.settle_target()
+    assert max(max(np.abs(drive.values)) for drive in target_of(window).drives) <= 0.15
+    panel = window.panel(TARGET)
+    assert "Not reachable within a peak of 0.15 m/s²:" in panel.said.text()
+    reached = float(panel.about.text().split()[3])
+    assert 0.0 < reached < 1.0
+    assert f"{reached:.2g} m/s² at most" in panel.said.text()
 
 
 def test_another_limb_has_other_drives_in_the_same_step(at_target):
