@@ -8,7 +8,10 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 
-from skinsource import Clip, Design, Input, View, edits, track
+from skinsource import Clip, Design, Input, View, actuators, edits, track
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.design.effects.level import Fade
 from skinsource.design.panel_settings import TARGET, TargetSettings, brush_of, with_settings
 from skinsource.design.target import is_unsolved, target_in
@@ -186,6 +189,21 @@ def test_a_peak_bounds_the_drives_and_says_what_is_reached(at_target):
     reached = float(panel.about.text().split()[3])
     assert 0.0 < reached < 1.0
     assert f"{reached:.2g} m/s² at most" in panel.said.text()
+
+
+def test_limits_of_a_rig_are_told_as_soon_as_the_design_has_it(at_target):
+    window = at_target()
+    stroke(window, 30)
+    coil = ActuatorAt(model=actuators.load("example-voice-coil"))
+    wired = (RigChannel(place=n, output=n, full_scale_v=1e-6) for n in range(1, 21))
+    driven = {"actuation": Actuation(actuators=(coil,), equaliser=RegularisedInverse())}
+    document, panel = window.document, window.panel(TARGET)
+    document.edit("", replace(document.design, **driven))
+    window.settle_target()
+    assert "actuator's limits" not in panel.said.text()
+    document.edit("", replace(document.design, rig=Rig(channels=tuple(wired))))
+    window.settle_target()
+    assert "Not reachable within the actuator's limits (place" in panel.said.text()
 
 
 def test_another_limb_has_other_drives_in_the_same_step(at_target):
