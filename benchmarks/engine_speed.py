@@ -5,6 +5,9 @@ and six spectra in three axes each.  The plain way convolves every input with al
 takes the maximum, sums, and takes RMS, traces and spectra.  Both ways run in turn in one process,
 in float64; medians of the ratios of the rounds.
 
+An edit of a target, a tap at one output with twenty inputs, finds its drives as well: it may cost
+twice as much as one of all waveforms.
+
     python benchmarks/engine_speed.py [--rounds 15] [--long]
 """
 
@@ -22,10 +25,13 @@ from scipy.signal import fftconvolve
 from skinsource.base.allocation import keep_freed_memory
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, View, track
+from skinsource.design.edits import add_motion, change_target, solve_target
+from skinsource.design.target import Target, is_unsolved
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
+from skinsource.inverse.aiming import aim_of
 from skinsource.limbs.catalog import default_limb, load_limb
 
 #: Edits come as drags: so many different ones after each plain pass, of which the mean counts.
@@ -38,6 +44,7 @@ PROMISED = {
     "waveform of one input": 40,
     "one of ten clips of one": 40,
     "all 20 waveforms": 6,
+    "a target of 20 inputs": 3,
     "axes": 75,
     "method": 75,
     "one more output": 75,
@@ -64,6 +71,18 @@ def twenty_inputs() -> tuple[Input, ...]:
         )
         for k in range(20)
     )
+
+
+def a_target(beta: float = 0.3) -> Target:
+    """A tap at one output, which has energy in all of the band."""
+    return Target(strong=(30,), waveform=Tap(), inputs=tuple(range(1, 21)), beta=beta)
+
+
+def with_drives(design: Design, view: View) -> Design:
+    """Return a design with the drives of its target, if it has one."""
+    if not is_unsolved(design):
+        return design
+    return solve_target(design, view, aim_of(design).solved(design)).design
 
 
 def ten_clips_each() -> tuple[Input, ...]:
@@ -110,6 +129,10 @@ def edits() -> dict[str, Edit]:
         ),
         "all 20 waveforms": lambda d, v, k: (
             replace(d, inputs=tuple(waveform(track, k) for track in d.inputs)),
+            v,
+        ),
+        "a target of 20 inputs": lambda d, v, k: (
+            change_target(d, v, a_target(beta=0.1 + 0.01 * k)).design,
             v,
         ),
         "axes": lambda d, v, k: (d, replace(v, axes=("z", "xyz")[k % 2])),
@@ -194,16 +217,20 @@ def table_row(label: str, edit: Edit, limb: str, rounds: int) -> bool:
     inputs = ten_clips_each() if "clips" in label else twenty_inputs()
     start = Design(limb=limb, inputs=inputs, scaling="upstream")
     view = View(axes="xyz", method="mag", outputs=OUTPUTS, selected_inputs=(5,))
+    plain = start, view
+    if "target" in label:
+        alone = add_motion(Design(limb=limb), view, a_target()).design
+        start = with_drives(alone, view)
     graph = new_graph()
     graph.evaluate(WANTED, sources(start, view))
     plain_s, studio_s = [], []
     for k in range(rounds + 2):
         steps = [edit(start, view, k * DRAG_STEPS + step) for step in range(DRAG_STEPS)]
         begin = perf_counter()
-        plainly(*steps[0])
+        plainly(*plain)
         between = perf_counter()
         for design, looked in steps:
-            graph.evaluate(WANTED, sources(design, looked))
+            graph.evaluate(WANTED, sources(with_drives(design, looked), looked))
         end = perf_counter()
         plain_s.append(between - begin)
         studio_s.append((end - between) / DRAG_STEPS)

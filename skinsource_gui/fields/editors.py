@@ -113,7 +113,7 @@ class SweepDialog(QtWidgets.QDialog):
         self._list.setText(f"{numbers_text(values[:_MOST_SHOWN], self._spec)}{more} Hz")
 
 
-_LONGEST, _NONE = 100_000, "none"
+_LONGEST = 100_000
 
 
 class ListEditor(Editor, QtWidgets.QWidget):
@@ -125,16 +125,18 @@ class ListEditor(Editor, QtWidgets.QWidget):
         The tuple that was set or typed last.
     """
 
-    def __init__(self, spec: Any, parent: QtWidgets.QWidget, hint: str) -> None:
+    def __init__(
+        self, spec: Any, parent: QtWidgets.QWidget, hint: str, unset: str = "none"
+    ) -> None:
         super().__init__(parent)
-        self._spec = spec
+        self._spec, self._unset = spec, unset
         self.value: tuple[Any, ...] = ()
         self._typed = ""
         read = TextSpec(
             label=spec.label, hint=hint, longest=_LONGEST, one_line=True, reader=self._read
         )
         self.line = LiveText(read, self)
-        self.line.setPlaceholderText(_NONE)
+        self.line.setPlaceholderText(unset)
         self.line.edited.connect(self._tell)
         self.line.problem_changed.connect(self.problem_changed)
         self.setFocusProxy(self.line)
@@ -161,7 +163,7 @@ class ListEditor(Editor, QtWidgets.QWidget):
 
     def show_mixed(self, mixed: bool) -> None:
         """Say "mixed" in an empty line, or show the value."""
-        self.line.show_mixed(mixed, _NONE)
+        self.line.show_mixed(mixed, self._unset)
 
     def cancel(self) -> None:
         """Restore the value."""
@@ -184,7 +186,7 @@ class NumbersEditor(ListEditor):
     """Edits a list of numbers; frequencies also as a sweep."""
 
     def __init__(self, spec: ListSpec, parent: QtWidgets.QWidget) -> None:
-        super().__init__(spec, parent, f"{spec.hint}. Numbers between commas")
+        super().__init__(spec, parent, f"{spec.hint}. Numbers between commas", spec.unset)
         if self._spec.of.unit != "Hz":
             return
         hint = "Generate frequencies, logarithmic or linear, rising or falling"

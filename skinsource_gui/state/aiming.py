@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from skinsource import inverse
 from skinsource.base.errors import InvalidInputError, Stopped
@@ -30,6 +30,9 @@ from skinsource_gui.plots.small_map import SmallMap, field_image
 from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.services import Services
 from skinsource_gui.state.worker import Worker, fault_text
+
+#: After the last move, until a target is judged.
+PAUSE_MS = 50
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -84,7 +87,13 @@ class FoundPanel(Panel):
 class Aiming(QObject):
     """Solves the target of the open design whenever it, or what it depends on, has changed.
 
-    The drives join the step of the history that made them necessary.
+    The drives join the step of the history that made them necessary.  What they do is judged when
+    nothing has moved for a moment.
+
+    Attributes
+    ----------
+    rest
+        Runs from the last move until the target is judged.
     """
 
     #: `Found`, or None where there is no target.
@@ -99,13 +108,15 @@ class Aiming(QObject):
         self._others: dict[str, tuple[Limb, SurfaceOperator]] = {}
         # The target that was judged last, and what it depends on.
         self._judged: object = None
+        self.rest = QTimer(self, singleShot=True, interval=PAUSE_MS)
+        self.rest.timeout.connect(self._judge)
         self._document.changed.connect(self._follow)
         services.panels.each(self._meet)
 
     @property
     def busy(self) -> bool:
         """Whether something is solved or judged."""
-        return self._worker.busy
+        return self._worker.busy or self.rest.isActive()
 
     def toggle(self) -> None:
         """Take the strong brush for the skin map and show the panel, or put the brush away."""
@@ -117,6 +128,7 @@ class Aiming(QObject):
 
     def end(self) -> None:
         """Stop."""
+        self.rest.stop()
         self._worker.close()
 
     def _meet(self, panel: Panel) -> None:
@@ -134,7 +146,7 @@ class Aiming(QObject):
         if found is not None and is_unsolved(design):
             self._worker.run_newest("solve", partial(_solved, design, found[1]), self._take)
         elif is_shown:
-            self._judge(design)
+            self._judge_soon(design)
 
     def _take(self, solved: Target | None, error: Exception | None) -> None:
         """Have the target play its drives, those of an older one as well."""
@@ -146,14 +158,27 @@ class Aiming(QObject):
         if isinstance(outcome, Edit) and is_unsolved(design):
             self._document.amend(outcome)
 
-    def _judge(self, design: Design) -> None:
+    def _judge_soon(self, design: Design) -> None:
         found = target_in(design)
-        wanted = found and (found[1], conditions_of(design), self._limbs.names)
+        wanted = found and (
+            found[1],
+            conditions_of(design),
+            (design.actuation, design.rig, inverse.aiming.tracks_beside(design)),
+            self._limbs.names,
+        )
         if wanted == self._judged:
             return
         self._judged = wanted
         if found is None or not found[1].strong:
+            self.rest.stop()
             self.found.emit(None)
+            return
+        self.rest.start()
+
+    def _judge(self) -> None:
+        design = self._document.design
+        if is_unsolved(design):
+            self._judged = None
             return
         work = partial(self._found_of, design, self._limbs.names)
         self._worker.run_newest("judge", work, self._show, again=True)
@@ -171,10 +196,13 @@ class Aiming(QObject):
         beside = inverse.aiming.ways(aimed)
         kind = design.limb.rpartition("-")[0]
         known = [name for name in names if name.startswith(f"{kind}-") and name != design.limb]
-        people = tuple(self._person(aimed, name) for name in known if kind)
-        return Found(
-            design=design, ways=beside, said=inverse.aiming.sentences(aimed, beside), people=people
-        )
+        self._give_way()
+        said = inverse.aiming.sentences(aimed, beside, design)
+        shown = Found(design=design, ways=beside, said=said)
+        if not self._others:
+            # Other people are read for the first time, which takes long.
+            self._worker.tell(self.found.emit, shown)
+        return replace(shown, people=tuple(self._person(aimed, name) for name in known if kind))
 
     def _person(self, aimed: inverse.aiming.Aim, name: str) -> Person:
         self._give_way()

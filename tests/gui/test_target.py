@@ -2,17 +2,22 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 
-from skinsource import Clip, Design, Input, View, edits, track
+from skinsource import Clip, Design, Input, View, actuators, edits, track
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.design.effects.level import Fade
 from skinsource.design.panel_settings import TARGET, TargetSettings, brush_of, with_settings
 from skinsource.design.target import is_unsolved, target_in
 from skinsource.design.waveforms import Layers, Tap, Tone
 from skinsource.inverse.aiming import aim_of
+from skinsource.inverse.focusing import Wish
 from skinsource_gui.panels.target.panel import level_text
 from tests.gui.timeline.bench import LanesBench
 
@@ -36,6 +41,7 @@ def at_target(open_window, qtbot):
             window.catch_up()
 
         window.settle_target = settled
+        window.wait_until = qtbot.waitUntil
         settled()
         return window
 
@@ -122,12 +128,18 @@ def test_the_table_says_what_three_ways_do(at_target):
     window = at_target()
     panel = window.panel(TARGET)
     assert panel.ways.isHidden()
+    assert "paint a strong output" in panel.said.text()
     stroke(window, 30)
     ways = [panel.ways.item(row, 0).text() for row in range(3)]
-    assert ways == ["Best input", "Time reversal", "Target"]
+    assert ways == ["Best input: 12", "Time reversal", "Target"]
     assert panel.ways.item(2, 1).text().endswith("II middle rad.")
     assert panel.ways.item(2, 6).text().endswith("of 40")
     assert "One actuator does as well." in panel.said.text()
+    assert "1 other track plays as well; the rows leave it out." in panel.said.text()
+    document = window.document
+    document.apply(edits.remove_inputs(document.design, document.view, document.design.ids[:1]))
+    window.settle_target()
+    assert "other track" not in panel.said.text()
 
 
 def test_the_slider_changes_drives_and_is_one_step(at_target):
@@ -144,6 +156,54 @@ def test_the_slider_changes_drives_and_is_one_step(at_target):
     assert target_of(window).drives != before
     assert not is_unsolved(window.document.design)
     assert window.document.undo_stack.count() == 2
+
+
+def test_while_a_drag_goes_on_nothing_is_judged(at_target, monkeypatch):
+    window, unseen = at_target(), []
+    stroke(window, 30)
+    find = Wish.unseen_contrast_db
+    monkeypatch.setattr(Wish, "unseen_contrast_db", lambda *given: unseen.append(1) or find(*given))
+    window.aiming.rest.setInterval(10**8)
+    slider = window.panel(TARGET).sharpness
+    slider.setSliderDown(True)
+    for steps in (50, 55, 60):
+        slider.setValue(steps)
+        window.wait_until(lambda: not is_unsolved(window.document.design))
+    assert window.aiming.busy
+    assert not unseen
+    window.aiming.rest.start(0)
+    window.settle_target()
+    assert len(unseen) == 1
+
+
+def test_a_peak_bounds_the_drives_and_says_what_is_reached(at_target):
+    window = at_target()
+    stroke(window, 30)
+    document = window.document
+    within = replace(target_of(window), peak=0.15)
+    document.apply(edits.change_target(document.design, document.view, within))
+    window.settle_target()
+    assert max(max(np.abs(drive.values)) for drive in target_of(window).drives) <= 0.15
+    panel = window.panel(TARGET)
+    assert "Not reachable within a peak of 0.15 m/s²:" in panel.said.text()
+    reached = float(panel.about.text().split()[3])
+    assert 0.0 < reached < 1.0
+    assert f"{reached:.2g} m/s² at most" in panel.said.text()
+
+
+def test_limits_of_a_rig_are_told_as_soon_as_the_design_has_it(at_target):
+    window = at_target()
+    stroke(window, 30)
+    coil = ActuatorAt(model=actuators.load("example-voice-coil"))
+    wired = (RigChannel(place=n, output=n, full_scale_v=1e-6) for n in range(1, 21))
+    driven = {"actuation": Actuation(actuators=(coil,), equaliser=RegularisedInverse())}
+    document, panel = window.document, window.panel(TARGET)
+    document.edit("", replace(document.design, **driven))
+    window.settle_target()
+    assert "actuator's limits" not in panel.said.text()
+    document.edit("", replace(document.design, rig=Rig(channels=tuple(wired))))
+    window.settle_target()
+    assert "Not reachable within the actuator's limits (place" in panel.said.text()
 
 
 def test_another_limb_has_other_drives_in_the_same_step(at_target):

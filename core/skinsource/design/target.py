@@ -24,7 +24,12 @@ from skinsource.specs.samples import Samples
 from skinsource.specs.spec import TextSpec
 
 INPUTS = ListSpec(
-    label="Inputs", of=PLACE, most=MAX_PATH, different=True, hint="Places that may be used"
+    label="Inputs",
+    of=PLACE,
+    most=MAX_PATH,
+    different=True,
+    hint="Places; else those that push, of own limbs all",
+    unset="usual",
 )
 BETA = NumberSpec(
     label="Strong or sharp",
@@ -44,13 +49,24 @@ MOST = NumberSpec(
     hint="Number of places that play",
     unset="all",
 )
-PLACES = replace(INPUTS, label="Places", editable=False)
+PLACES = replace(INPUTS, label="Places", editable=False, unset="none")
 DRIVES = ListSpec(label="Drives", of=RECORDING_SAMPLES, most=MAX_PATH, editable=False)
 NO_TARGET = "There is no target; paint a strong output on the skin map."
 LEVEL_THERE = replace(LEVEL, label="Level", unit="m/s²", hint="Peak at the strong outputs")
+PEAK = NumberSpec(
+    label="Peak",
+    unit="m/s²",
+    minimum=0.0,
+    maximum=LEVEL.maximum,
+    step=LEVEL.step,
+    hint="Largest drive of each input; it may cost level",
+    unset="no limit",
+)
 SOLVED_FOR = TextSpec(label="Solved for", longest=400, one_line=True, editable=False)
 STRONG = replace(OUTPUTS, label="Strong", hint="Outputs, painted on the skin map or typed")
-QUIET = replace(STRONG, label="Quiet", hint="Outputs; none: all others on the hand")
+QUIET = replace(
+    STRONG, label="Quiet", hint="Outputs; else all others on the hand", unset="all others"
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,6 +90,8 @@ class Target(fields.CheckedModel):
     amplitude
         Acceleration at the strong outputs where the waveform is 1, m/s²; of own limbs in the unit
         of their responses.
+    peak
+        Most that a drive may reach, in its unit; 0: there is no limit.
     onset_s
         When the drives start.
     places, drives
@@ -100,6 +118,7 @@ class Target(fields.CheckedModel):
     most: int = fields.number(0, MOST)
     waveform: Waveform = fields.field(WAVEFORM, Tone(100.0, duration_s=0.2))
     amplitude: float = fields.number(1.0, LEVEL_THERE)
+    peak: float = fields.number(0.0, PEAK)
     onset_s: float = fields.number(0.0, START)
     places: tuple[int, ...] = fields.field(PLACES, ())
     drives: tuple[Samples, ...] = fields.field(DRIVES, ())
@@ -156,7 +175,9 @@ class Target(fields.CheckedModel):
         if not self.strong:
             solved = Target()
         unsolved: dict[str, Any] = {"places": (), "drives": (), "solved_for": ""}
-        wanted = replace(solved, amplitude=self.amplitude, onset_s=self.onset_s, **unsolved)
+        wanted = replace(solved, onset_s=self.onset_s, **unsolved)
+        if not self.peak:
+            wanted = replace(wanted, amplitude=self.amplitude)
         solved_for = solved.solved_for if wanted == replace(self, **unsolved) else ""
         return replace(self, places=solved.places, drives=solved.drives, solved_for=solved_for)
 

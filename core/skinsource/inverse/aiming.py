@@ -7,12 +7,23 @@ strong output, and by `skinsource.inverse.paint` for several.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import log10, nan
+from functools import cached_property
+from math import nan, sqrt
 from typing import Any
 
 import numpy as np
 import scipy
 
+from skinsource.actuators.equalising import equalised, followed_band
+from skinsource.actuators.prediction import Limits
+from skinsource.actuators.rigs import (
+    Margin,
+    Rig,
+    RigChannel,
+    highest_gain,
+    limits_of,
+    strictest,
+)
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import (
     ALL_AXES,
@@ -22,19 +33,20 @@ from skinsource.base.conventions import (
     Complexes,
     Floats,
 )
-from skinsource.base.errors import InvalidInputError
-from skinsource.design.design import Design, Input
+from skinsource.base.errors import InvalidInputError, counted, sentence
+from skinsource.design.design import Design, audible_inputs
 from skinsource.design.target import BETA, NO_TARGET, Target, conditions_of, target_in
+from skinsource.engine.actuator_demand import profile_of
 from skinsource.engine.shared import Shared
+from skinsource.inverse.drives_in_time import samples_of
 from skinsource.inverse.focusing import Focus, energy_of, focus, paint
 from skinsource.inverse.placement import place
-from skinsource.inverse.responses import Responses, n_fft_of, responses_of
+from skinsource.inverse.responses import Responses, bins_of, n_fft_of, responses_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.scaling import pulse_spectrum
 from skinsource.perception.validity import fastest_probe
-from skinsource.specs.samples import Samples
 
 # Energy that counts, as a share of the strongest bin: -60 dB.
 _COUNTS = 1e-6
@@ -67,31 +79,56 @@ class Aim:
 
     @property
     def places(self) -> tuple[int, ...]:
-        """Places that play."""
+        """Places that may play."""
         return self.responses.inputs
+
+    @property
+    def peak(self) -> float | None:
+        """Largest sample of a drive for an amplitude of 1; None: there is no limit."""
+        target = self.target
+        return target.peak / target.amplitude if target.peak and target.amplitude else None
 
     def solved(self, design: Design) -> Target:
         """Return the target with its drives, found under the conditions of a design."""
-        tracks = self.tracks(self.focus.used_drives)
+        rows = zip(self.places, self.played, strict=True)
+        playing = {place: samples_of(self.focus.limb, row) for place, row in rows if row.any()}
         return replace(
             self.target,
-            places=tuple(track.location for track in tracks),
-            drives=tuple(samples_of(track) for track in tracks),
+            places=tuple(playing),
+            drives=tuple(playing.values()),
             solved_for=conditions_of(design),
         )
 
-    def tracks(self, drives: Complexes) -> tuple[Input, ...]:
-        """Return the tracks with which the waveform plays through drives, (n_bins, n_used)."""
+    @cached_property
+    def played(self) -> Floats:
+        """What the places play for an amplitude of 1, (n_used, n_times)."""
+        return self.in_time(self.focus.used_drives, self.peak)
+
+    @cached_property
+    def spectra(self) -> Complexes:
+        """Spectra of pieces of what is played, (n_pieces, n_bins, n_used).
+
+        Their energies add up; that of the waveform is 1.
+        """
+        if self.peak is None or np.abs(self.played).max() < self.peak:
+            return self.of_waveform(self.focus.used_drives)
+        limb, at_hz = self.limb, self.responses.frequencies_hz
+        wave = self.target.waveform.samples(limb.sample_rate_hz)
+        pieces, whole = (_pieces(limb, rows, at_hz) for rows in (self.played, wave))
+        pulse = _pulse(limb, at_hz)[:, None]
+        return np.moveaxis(pieces, 0, -1) / pulse / np.sqrt(np.square(np.abs(whole)).sum())
+
+    def of_waveform(self, drives: Complexes) -> Complexes:
+        """Return `spectra` of the waveform through drives, (n_bins, n_used), without a limit."""
+        spectra: Complexes = np.sqrt(self.power)[None, :, None] * drives
+        return spectra
+
+    def in_time(self, drives: Complexes, peak: float | None = None) -> Floats:
+        """Return the waveform through drives, (n_bins, n_used), in time: (n_used, n_times)."""
         everywhere = np.zeros_like(self.focus.drives)
         everywhere[:, np.array(self.places) - 1] = drives
         playing = replace(self.focus, drives=everywhere)
-        return playing.design(self.target.waveform, band_hz=self.band_hz).inputs
-
-
-def samples_of(track: Input) -> Samples:
-    """Return what a track of an `Aim` plays."""
-    waveform: Any = track.clips[0].waveform
-    return waveform.samples
+        return playing.drives_in_time(self.target.waveform, peak=peak, band_hz=self.band_hz)
 
 
 @checking
@@ -164,13 +201,10 @@ def _axes(target: Target, limb: Limb) -> Axes:
 
 def _band_of(target: Target, limb: Limb) -> tuple[Band, Floats, Floats]:
     """Return where a waveform is driven, the bins with energy there, and the share of each."""
-    n_fft = n_fft_of(limb.n_taps)
     known = responses_of(limb, inputs=(1,)).frequencies_hz
-    samples = np.pad(target.waveform.samples(limb.sample_rate_hz), n_fft)
-    frames = np.lib.stride_tricks.sliding_window_view(samples, n_fft)[:: n_fft // 2]
-    spectra = scipy.fft.rfft(frames * scipy.signal.windows.hann(n_fft, sym=False))
-    everywhere = np.square(np.abs(spectra)).sum(axis=0)
-    all_hz = np.arange(n_fft // 2 + 1) * limb.sample_rate_hz / n_fft
+    all_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
+    pieces = _pieces(limb, target.waveform.samples(limb.sample_rate_hz), all_hz)
+    everywhere = np.square(np.abs(pieces)).sum(axis=0)
     power = everywhere[np.searchsorted(all_hz, known[0]) :][: known.size]
     counts = np.flatnonzero(power > _COUNTS * everywhere.max(initial=0.0))
     if not counts.size:
@@ -181,6 +215,24 @@ def _band_of(target: Target, limb: Limb) -> tuple[Band, Floats, Floats]:
     inside = slice(counts[0], counts[-1] + 1)
     band_hz = float(known[0]), float(known[-1])
     return band_hz, known[inside], power[inside] / power[inside].sum()
+
+
+def _pieces(limb: Limb, samples: Floats, at_hz: Floats) -> Complexes:
+    """Return spectra at bins of overlapping pieces of samples, (..., n_pieces, n_bins)."""
+    n_fft = n_fft_of(limb.n_taps)
+    longer = np.pad(samples, [*[(0, 0)] * (samples.ndim - 1), (n_fft, n_fft)])
+    pieces = np.lib.stride_tricks.sliding_window_view(longer, n_fft, axis=-1)
+    # Windows whose squares add up to the same everywhere: no energy is left out.
+    pieces = pieces[..., :: n_fft // 4, :] * scipy.signal.windows.hann(n_fft, sym=False)
+    first = np.searchsorted(bins_of(n_fft, limb.sample_rate_hz), at_hz[0])
+    return scipy.fft.rfft(pieces)[..., first : first + at_hz.size]
+
+
+def _pulse(limb: Limb, at_hz: Floats) -> Floats:
+    """Return what a drive of 1 is in the unit of what is played, (n_bins,)."""
+    if limb.per_unit_drive:
+        return np.ones_like(at_hz)
+    return pulse_spectrum(at_hz, limb.sample_rate_hz)
 
 
 def _solved(target: Target, limb: Limb, at_hz: Floats) -> Focus:
@@ -206,10 +258,14 @@ class Way:
     ----------
     title
         Its name.
+    amplitude
+        Acceleration at the strong outputs where the waveform is 1, m/s²: less than that of the
+        target where its peak allows no more.
     loudest_db, loudest
         Level at the loudest output that is not strong, and which that is.
     quiet_db, between_db
-        Mean level at what is to be quiet, and the same as it is expected between the sensors.
+        Mean level at what is to be quiet, and the same as it is expected between the sensors:
+        within a peak as much more than at them as without it.
     contact_db
         Level at the strongest contact; NaN where the unit of drives is not known.
     effort_db
@@ -219,6 +275,7 @@ class Way:
     """
 
     title: str
+    amplitude: float
     loudest_db: float
     loudest: int
     quiet_db: float
@@ -248,25 +305,29 @@ class OnLimb:
 
 
 def ways(aim: Aim) -> tuple[Way, Way, Way]:
-    """Return what the best single input, time reversal and the drives of a target do."""
+    """Return what the best single input, time reversal and the drives of a target do.
+
+    The first two are as strong as the target.
+    """
+    place, alone = _best_single(aim)
     in_time = _reversed(aim)
-    least = aim.power @ np.square(np.abs(_equal(aim, in_time))).sum(axis=1)
-    between = float(aim.power @ 10.0 ** (-aim.focus.unseen_contrast_db / 10.0))
+    spectra = aim.of_waveform(in_time)
+    least = np.square(np.abs(spectra)).sum() / _bright(aim, spectra)
     return (
-        _way(aim, "Best input", _best_single(aim), least),
-        _way(aim, "Time reversal", in_time, least),
-        _way(aim, aim.target.title, aim.focus.used_drives, least, 10.0 * log10(between)),
+        _way(aim, f"Best input: {place}", least, alone),
+        _way(aim, "Time reversal", least, in_time),
+        _way(aim, aim.target.title, least),
     )
 
 
-def _equal(aim: Aim, drives: Complexes) -> Complexes:
-    """Return drives scaled so that the mean energy of the strong outputs is that of the target."""
-    wanted, there = (_bright(aim, each) for each in (aim.focus.used_drives, drives))
-    return drives * np.sqrt(wanted / there)
+def _bright(aim: Aim, spectra: Complexes) -> float:
+    """Return the mean energy of the strong outputs."""
+    return float(_energy(aim.responses, spectra)[_rows(aim.target.strong)].mean())
 
 
-def _bright(aim: Aim, drives: Complexes) -> float:
-    return float((aim.power @ energy_of(aim.responses, drives))[_rows(aim.target.strong)].mean())
+def _energy(responses: Responses, spectra: Complexes) -> Floats:
+    """Return the energy of all outputs, (n_outputs,)."""
+    return sum((energy_of(responses, piece).sum(axis=0) for piece in spectra), start=np.zeros(1))
 
 
 def _rows(outputs: tuple[int, ...]) -> list[int]:
@@ -281,16 +342,16 @@ def _reversed(aim: Aim) -> Complexes:
     return _solved(gentle, aim.limb, aim.responses.frequencies_hz).used_drives
 
 
-def _best_single(aim: Aim) -> Complexes:
-    """Return the drives of the input that has the most contrast when it plays the waveform."""
-    pulse = pulse_spectrum(aim.responses.frequencies_hz, aim.limb.sample_rate_hz)
-    plain = np.ones(len(pulse)) if aim.limb.per_unit_drive else 1.0 / pulse
+def _best_single(aim: Aim) -> tuple[int, Complexes]:
+    """Return the place that has the most contrast when it plays the waveform, and its drives."""
+    plain = 1.0 / _pulse(aim.limb, aim.responses.frequencies_hz)
     energy = np.square(np.abs(aim.responses.values)).sum(axis=2)
     energy = np.einsum("f,foi->oi", aim.power * plain**2, energy)
     contrast = energy[_rows(aim.target.strong)].mean(0) / energy[_rows(quiet_in(aim))].mean(0)
     drives = np.zeros((len(plain), energy.shape[1]), complex)
-    drives[:, int(np.argmax(contrast))] = plain
-    return drives
+    best = int(np.argmax(contrast))
+    drives[:, best] = plain
+    return aim.places[best], drives
 
 
 def quiet_in(aim: Aim) -> tuple[int, ...]:
@@ -299,38 +360,50 @@ def quiet_in(aim: Aim) -> tuple[int, ...]:
     return aim.target.quiet or tuple(others)
 
 
-def _way(
-    aim: Aim, title: str, drives: Complexes, least: float, between_db: float | None = None
-) -> Way:
-    drives, limb = _equal(aim, drives), aim.limb
-    levels_db = _levels_db(aim, aim.responses, drives)
-    quiet_db = float(10.0 * np.log10(np.mean(10.0 ** (levels_db[_rows(quiet_in(aim))] / 10.0))))
+def _way(aim: Aim, title: str, least: float, drives: Complexes | None = None) -> Way:
+    """Return what drives do, (n_bins, n_used), as strong as the target; None: those of the target.
+
+    ``least``: least energy of drives for an energy of 1 at the strong outputs.
+    """
+    spectra, played, limb, amplitude = aim.spectra, aim.played, aim.limb, aim.target.amplitude
+    bright = _bright(aim, spectra)
+    if drives is not None:
+        drives = drives * np.sqrt(bright / _bright(aim, aim.of_waveform(drives)))
+        spectra, played = aim.of_waveform(drives), aim.in_time(drives)
+    levels_db = _levels_db(aim.responses, spectra, bright)
+    quiet_db = between_db = _power_db(levels_db[_rows(quiet_in(aim))])
+    if drives is None:
+        seen, unseen = aim.focus.mean_contrast_db, aim.focus.unseen_contrast_db
+        between_db += _power_db(-unseen, aim.power) - _power_db(-seen, aim.power)
     loudest = _loudest_other(aim, aim.responses, levels_db)
+    each = np.square(np.abs(spectra)).sum(axis=0)
     contact_db = velocity = nan
-    each = np.square(np.abs(drives))
     if not limb.per_unit_drive:
-        pulse = pulse_spectrum(aim.responses.frequencies_hz, limb.sample_rate_hz)
-        bright = _bright(aim, drives)
-        contact_db = float(10.0 * np.log10((aim.power * pulse**2 @ each).max() / bright))
-        probes = (samples_of(track).values for track in aim.tracks(drives))
-        fastest = fastest_probe(probes, limb.sample_rate_hz, limb.band_hz)
-        velocity = aim.target.amplitude * fastest
+        contacts = _pulse(limb, aim.responses.frequencies_hz) ** 2 @ each
+        contact_db = float(10.0 * np.log10(contacts.max() / bright))
+        velocity = amplitude * fastest_probe(played, limb.sample_rate_hz, limb.band_hz)
     return Way(
         title=title,
+        amplitude=amplitude * sqrt(bright / _bright(aim, aim.of_waveform(aim.focus.used_drives))),
         loudest_db=float(levels_db[loudest - 1]),
         loudest=loudest,
         quiet_db=quiet_db,
-        between_db=quiet_db if between_db is None else between_db,
+        between_db=between_db,
         contact_db=contact_db,
-        effort_db=float(10.0 * np.log10(aim.power @ each.sum(axis=1) / least)),
+        effort_db=float(10.0 * np.log10(each.sum() / bright / least)),
         velocity_m_per_s=velocity,
     )
 
 
-def _levels_db(aim: Aim, responses: Responses, drives: Complexes) -> Floats:
-    """Return the level of each output re the strong ones on the limb of the target."""
+def _power_db(levels_db: Floats, weights: Floats | None = None) -> float:
+    """Return the level of the mean energy."""
+    return float(10.0 * np.log10(np.average(10.0 ** (levels_db / 10.0), weights=weights)))
+
+
+def _levels_db(responses: Responses, spectra: Complexes, bright: float) -> Floats:
+    """Return the level of each output re an energy."""
     with np.errstate(divide="ignore"):
-        return 10.0 * np.log10(aim.power @ energy_of(responses, drives) / _bright(aim, drives))
+        return 10.0 * np.log10(_energy(responses, spectra) / bright)
 
 
 def _loudest_other(aim: Aim, responses: Responses, levels_db: Floats) -> int:
@@ -352,32 +425,107 @@ def on_limb(aim: Aim, limb: Limb) -> OnLimb:
         inputs=aim.places,
         frequencies_hz=aim.responses.frequencies_hz,
     )
-    levels_db = _levels_db(aim, responses, aim.focus.used_drives)
-    strong = 10.0 ** (levels_db[_rows(aim.target.strong)] / 10.0)
+    levels_db = _levels_db(responses, aim.spectra, _bright(aim, aim.spectra))
     loudest = levels_db[_loudest_other(aim, responses, levels_db) - 1]
-    contrast_db = float(10.0 * np.log10(strong.mean()) - loudest)
+    contrast_db = _power_db(levels_db[_rows(aim.target.strong)]) - float(loudest)
     return OnLimb(limb=limb, levels_db=levels_db, contrast_db=contrast_db)
 
 
 #: Between sensors a target has to gain so much over the best single input, dB.
 LEAST_GAIN_DB = 3.0
+# Share of the amplitude that counts as all of it.
+_REACHED = 0.995
 #: Nothing is told to be deeper: responses are known to about 30 %.
 DEEPEST_DB = -20.0
 
 
-def sentences(aim: Aim, found: tuple[Way, Way, Way]) -> tuple[str, ...]:
-    """Return what has to be known of a target: what cannot be reached, and what is as good."""
+def sentences(aim: Aim, found: tuple[Way, Way, Way], design: Design) -> tuple[str, ...]:
+    """Return what has to be known of a target: what cannot be reached, and what is as good.
+
+    Limits are those of the actuators and of the rig of a design; what else it plays is told.
+    """
     single, _, own = found
     said = []
+    limited = own.amplitude < _REACHED * aim.target.amplitude
+    if limited:
+        said.append(_not_within(f"a peak of {aim.target.peak:g} m/s²", own.amplitude))
     if own.velocity_m_per_s > LARGEST_VELOCITY_M_PER_S:
-        most = aim.target.amplitude * LARGEST_VELOCITY_M_PER_S / own.velocity_m_per_s
-        limit = f"{1e3 * LARGEST_VELOCITY_M_PER_S:g} mm/s"
-        said.append(f"Not reachable within {limit}: {most:.2g} m/s² at most.")
+        most = own.amplitude * LARGEST_VELOCITY_M_PER_S / own.velocity_m_per_s
+        said.append(_not_within(f"{1e3 * LARGEST_VELOCITY_M_PER_S:g} mm/s", most))
+    try:
+        margin = margin_of(aim, design)
+    except InvalidInputError as error:
+        said.append(sentence(str(error)))
+    else:
+        if margin.factor < 1.0:
+            said.append(
+                _not_within(
+                    f"the actuator's limits ({margin.words})", margin.factor * own.amplitude
+                )
+            )
     if own.loudest_db > 0.0 and not aim.target.quiet:
         name = output_name(own.loudest, aim.limb.name).name
         said.append(f"Not reachable: {name} is {own.loudest_db:.1f} dB louder at best.")
-    if single.between_db - own.between_db < LEAST_GAIN_DB:
+    gain_db = single.between_db - own.between_db
+    if gain_db < LEAST_GAIN_DB and not limited:
         said.append("One actuator does as well.")
+    how = "quieter" if gain_db > 0.0 else "louder"
+    said.append(f"Between sensors it is {abs(gain_db):.1f} dB {how} than the best input.")
     if own.quiet_db < DEEPEST_DB:
         said.append(f"What is quiet is below {DEEPEST_DB:g} dB in the model.")
+    if others := tracks_beside(design):
+        plays = "plays" if others == 1 else "play"
+        them = "it" if others == 1 else "them"
+        said.append(f"{counted(others, 'other track')} {plays} as well; the rows leave {them} out.")
     return tuple(said)
+
+
+def _not_within(limit: str, most: float) -> str:
+    return f"Not reachable within {limit}: {most:.2g} m/s² at most."
+
+
+def tracks_beside(design: Design) -> int:
+    """Return how many tracks of a design play beside those of its target."""
+    found = target_in(design)
+    own = () if found is None else design.motions[found[0]].clips
+    beside = (
+        any(clip.id not in own and not clip.muted for clip in track.clips)
+        for track in audible_inputs(design.inputs)
+    )
+    return sum(beside)
+
+
+def margin_of(aim: Aim, design: Design) -> Margin:
+    """Return the gain that the actuators and the rig of a design allow to the drives of a target.
+
+    Raises
+    ------
+    InvalidInputError
+        A place that plays has no actuator.
+    """
+    actuation, rate_hz = design.actuation, aim.limb.sample_rate_hz
+    drives = {
+        at: aim.target.amplitude * row
+        for at, row in zip(aim.places, aim.played, strict=True)
+        if row.any()
+    }
+    if actuation is None or actuation.equaliser is None or not drives:
+        return Margin()
+    channels, volts = [], []
+    for output, (at, drive) in enumerate(drives.items(), start=1):
+        actuator = actuation.at(at)
+        limits = profile_of(actuator).limits
+        if design.rig is not None and (wired := design.rig.channel_of(at)) is not None:
+            full = wired.volts_at_full_scale
+            device = Limits(peak_voltage_v=None if full is None else abs(full))
+            limits = strictest(limits, limits_of(wired), device)
+        channels.append(
+            RigChannel(
+                place=at, output=output, model=actuator.model, full_scale_v=1.0, limits=limits
+            )
+        )
+        band_hz = followed_band(aim.limb.band_hz, rate_hz)
+        volts.append(
+            equalised(drive, rate_hz, actuator.model, actuation.equaliser, band_hz=band_hz)
+        )
+    return highest_gain(Rig(channels=tuple(channels)), list(drives), volts, round(rate_hz))

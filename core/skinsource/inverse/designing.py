@@ -1,27 +1,25 @@
-"""A waveform at the target of a focus: filters, drives, and the design that plays them."""
+"""Drives that were found at each frequency, and the design that plays a waveform through them."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, get_args
+from dataclasses import dataclass
+from typing import Literal, get_args
 
 import numpy as np
 import scipy
 
-from skinsource.base.arguments import one_of, positive_number
+from skinsource.base.arguments import checking, one_of, positive_number
 from skinsource.base.conventions import Band, Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.design import Design
 from skinsource.design.waveform import Waveform
 from skinsource.inverse.drives_in_time import Cost, played
-from skinsource.inverse.responses import bins_of, gram_of, loading, n_fft_of
+from skinsource.inverse.responses import bins_of, gram_of, loading, n_fft_of, power_db
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.scaling import pulse_spectrum
 from skinsource.signals.generators import window
 from skinsource.signals.loudest_window import loudest_energy, window_samples
 from skinsource.signals.spectra import share_outside_band
-
-if TYPE_CHECKING:  # it makes designs
-    from skinsource.inverse.focusing import Focus
 
 Spectrum = Literal["as drawn", "natural"]
 SPECTRA: tuple[Spectrum, ...] = get_args(Spectrum)
@@ -33,50 +31,166 @@ _RAMP = (0.8, 1.1)
 _LEAST_INSIDE = 1e-3
 
 
-def delay_of(limb: LimbFacts) -> float:
-    """Return the time from the start of a design to that of its waveform on the skin, s."""
-    return limb.pre_trigger_delay_s + _half(limb) / limb.sample_rate_hz
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Solution:
+    """Drives that make one place strong, at each frequency.
 
+    Drives are in units of the measuring pulse, those of own limbs in the unit of their drive.
 
-def designed(
-    focus: Focus,
-    waveform: Waveform,
-    level: float | None,
-    spectrum: Spectrum,
-    peak: float | None,
-    band_hz: Band,
-) -> Design:
-    """Return what `Focus.design` returns."""
-    limb = focus.limb
-    wave = waveform.samples(limb.sample_rate_hz)
-    at_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
-    # What is driven is the probe, which the measuring pulse moves in known ways.
-    pulse = np.ones(at_hz.size)
-    if not limb.per_unit_drive:
-        pulse = pulse_spectrum(at_hz, limb.sample_rate_hz)
-    row = _on_bins(focus, focus.row, -limb.pre_trigger_delay_s) / pulse[:, None]
-    shape = _band(at_hz, band_hz)
-    if one_of("spectrum", spectrum, SPECTRA) == "natural":
-        energy = np.square(np.abs(_on_bins(focus, focus.row, 0.0))).sum(axis=1)
-        shape = shape * energy / (shape * energy).max()
-    spectra = _on_bins(focus, focus.used_drives, limb.pre_trigger_delay_s)
-    filters = _filters(limb, spectra * (pulse * shape)[:, None])
-    drives = scipy.signal.oaconvolve(wave[None], filters, axes=1)
-    if level is not None:
-        wanted = positive_number("level", level)
-        inside = 1.0 - share_outside_band(wave, limb.sample_rate_hz, band_hz)
-        if not wave.any() or inside < _LEAST_INSIDE:
-            low, high = band_hz
-            raise InvalidInputError(
-                f"The waveform has nothing within {low:g} to {high:g} Hz and cannot reach a level. "
-                "Choose another waveform, or another band_hz."
-            )
-        drives = drives * (wanted / _rms_at_target(limb, drives, row))
-    if peak is not None and np.abs(drives).max() > positive_number("peak", peak):
-        cost = cost_of(focus, pulse, _band(at_hz, band_hz), drives.shape[1])
-        drives = cost.within(peak, cost.applied(drives), drives)
-    name = f"Focus on output {focus.target} of {limb.name}"
-    return played(limb, focus.inputs, drives, name)
+    Attributes
+    ----------
+    limb
+        Whose responses were used.
+    target
+        Output, from 1; of several the first.
+    inputs
+        Places in use, from 1.
+    frequencies_hz : (n_bins,)
+        Where it was solved.
+    drives : (n_bins, limb.n_inputs)
+        With them the target's response is 1; 0 for inputs not in use.
+    beta : (n_bins,)
+        Regularisation: much is strong, little is sharp.
+    row : (n_bins, n_used)
+        Responses of the target, along its strongest direction where there are several axes.
+    gram : (n_bins, n_used, n_used)
+        Sum of conj(G) G over the rows G of what is quiet.
+    """
+
+    limb: LimbFacts
+    target: int
+    inputs: tuple[int, ...]
+    frequencies_hz: Floats
+    drives: Complexes
+    beta: Floats
+    row: Complexes
+    gram: Complexes
+
+    def __repr__(self) -> str:
+        f = self.frequencies_hz
+        return f"<{self.title}, {f[0]:.4g} to {f[-1]:.4g} Hz>"
+
+    @property
+    def title(self) -> str:
+        """What it does: "Focus on output 30 of synthetic-1"."""
+        return f"Focus on output {self.target} of {self.limb.name}"
+
+    @property
+    def used_drives(self) -> Complexes:
+        """Drives of the inputs in use, (n_bins, n_used)."""
+        return self.drives[:, np.array(self.inputs) - 1]
+
+    @property
+    def effort_db(self) -> Floats:
+        """Energy of the drives over the least that gives the same at the target, (n_bins,)."""
+        energies = (np.square(np.abs(each)).sum(axis=1) for each in (self.used_drives, self.row))
+        return power_db(np.prod(list(energies), axis=0), np.ones(len(self.row)))
+
+    @property
+    def contact_db(self) -> Floats:
+        """Acceleration at the target over that of the strongest contact, (n_bins,).
+
+        NaN for own limbs, whose drives have no known unit.
+        """
+        limb = self.limb
+        if limb.per_unit_drive:
+            return np.full(len(self.drives), np.nan)
+        pulse = pulse_spectrum(self.frequencies_hz, limb.sample_rate_hz)
+        at_target = np.abs((self.row * self.used_drives).sum(axis=1))
+        return power_db(at_target**2, np.square(np.abs(self.drives).max(axis=1) * pulse))
+
+    @property
+    def delay_s(self) -> float:
+        """Time at which a waveform begins on the skin, after its design has begun."""
+        return self.limb.pre_trigger_delay_s + _half(self.limb) / self.limb.sample_rate_hz
+
+    @checking
+    def design(
+        self,
+        waveform: Waveform,
+        level: float | None = None,
+        spectrum: Spectrum = "as drawn",
+        peak: float | None = None,
+        band_hz: Band = DRIVEN_HZ,
+    ) -> Design:
+        """Return a design that plays a waveform at the target, `delay_s` later.
+
+        Its drives are probe acceleration, as an equaliser wants it; those of own limbs are in the
+        unit of their drive.
+
+        Parameters
+        ----------
+        waveform
+            What the target does, m/s².
+        level
+            RMS of the target along its direction, over its loudest 100 ms, m/s²; None: as of the
+            waveform.
+        spectrum
+            ``"as drawn"``, or ``"natural"``: times the energy of the responses, at most 1, so that
+            little is spent where the skin answers little.
+        peak
+            Most that a drive may reach, m/s²; the best drives within it are then found, and the
+            target may become less strong.  None: there is no limit.
+        band_hz
+            Nothing is driven outside.
+
+        Raises
+        ------
+        InvalidInputError
+            A level is asked of a waveform without anything in the band.
+
+        Examples
+        --------
+        >>> import skinsource as ss
+        >>> found = ss.inverse.focus("synthetic-1", 30)
+        >>> design = found.design(ss.waveforms.Tone(frequency_hz=100.0), level=0.1)
+        >>> levels_db = ss.evaluate(
+        ...     design, "output_levels_db", view=ss.View(axes="z", span="loudest")
+        ... )["output_levels_db"]
+        >>> print(f"{levels_db[29]:.1f} dB")
+        -20.0 dB
+        """
+        drives = self.drives_in_time(waveform, level, spectrum, peak, band_hz)
+        return played(self.limb, self.inputs, drives, self.title)
+
+    def drives_in_time(
+        self,
+        waveform: Waveform,
+        level: float | None = None,
+        spectrum: Spectrum = "as drawn",
+        peak: float | None = None,
+        band_hz: Band = DRIVEN_HZ,
+    ) -> Floats:
+        """Return what the inputs in use play in the design of `design`, (n_used, n_times)."""
+        limb = self.limb
+        wave = waveform.samples(limb.sample_rate_hz)
+        at_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
+        # What is driven is the probe, which the measuring pulse moves in known ways.
+        pulse = np.ones(at_hz.size)
+        if not limb.per_unit_drive:
+            pulse = pulse_spectrum(at_hz, limb.sample_rate_hz)
+        row = _on_bins(self, self.row, -limb.pre_trigger_delay_s) / pulse[:, None]
+        shape = _band(at_hz, band_hz)
+        if one_of("spectrum", spectrum, SPECTRA) == "natural":
+            energy = np.square(np.abs(_on_bins(self, self.row, 0.0))).sum(axis=1)
+            shape = shape * energy / (shape * energy).max()
+        spectra = _on_bins(self, self.used_drives, limb.pre_trigger_delay_s)
+        filters = _filters(limb, spectra * (pulse * shape)[:, None])
+        drives = scipy.signal.oaconvolve(wave[None], filters, axes=1)
+        if level is not None:
+            wanted = positive_number("level", level)
+            inside = 1.0 - share_outside_band(wave, limb.sample_rate_hz, band_hz)
+            if not wave.any() or inside < _LEAST_INSIDE:
+                low, high = band_hz
+                raise InvalidInputError(
+                    f"The waveform has nothing within {low:g} to {high:g} Hz and cannot reach a "
+                    "level. Choose another waveform, or another band_hz."
+                )
+            drives = drives * (wanted / _rms_at_target(limb, drives, row))
+        if peak is not None and np.abs(drives).max() > positive_number("peak", peak):
+            cost = cost_of(self, pulse, _band(at_hz, band_hz), drives.shape[1])
+            drives = cost.within(peak, cost.applied(drives), drives)
+        return drives
 
 
 def _half(limb: LimbFacts) -> int:
@@ -84,7 +198,7 @@ def _half(limb: LimbFacts) -> int:
     return n_fft_of(limb.n_taps) // 5
 
 
-def _on_bins(focus: Focus, values: Complexes, earlier_s: float) -> Complexes:
+def _on_bins(focus: Solution, values: Complexes, earlier_s: float) -> Complexes:
     """Return values at the bins of the transform, (n_bins, …), without their delay of so long.
 
     Between solved frequencies they are straight, beyond them as at the nearest one.
@@ -121,7 +235,7 @@ def _rms_at_target(limb: LimbFacts, drives: Floats, row: Complexes) -> float:
     return float(np.sqrt(loudest_energy(signal, n_window) / n_window))
 
 
-def cost_of(focus: Focus, pulse: Floats, shape: Floats, n_times: int) -> Cost:
+def cost_of(focus: Solution, pulse: Floats, shape: Floats, n_times: int) -> Cost:
     """Return the cost whose least is the focus itself, for drives of ``n_times`` samples."""
     limb, n_used = focus.limb, len(focus.inputs)
     beta, unit = np.where(np.isinf(focus.beta), 1.0, focus.beta), loading(focus.gram)

@@ -105,20 +105,19 @@ class Cost:
         return self.cut((matrices @ spectra[..., None])[..., 0])
 
 
+def samples_of(limb: LimbFacts, drive: Floats) -> Samples:
+    """Return a drive, (n_times,), as samples with their unit."""
+    unit = "" if limb.per_unit_drive else "m/s²"
+    return Samples(values=drive, sample_rate_hz=limb.sample_rate_hz, unit=unit)
+
+
 def played(limb: LimbFacts, inputs: Sequence[int], drives: Floats, name: str) -> Design:
     """Return a design with a track for each drive, (n_inputs, n_times), that is not silent.
 
     Drives are probe acceleration, m/s²; those of own limbs in the unit of their drive.
     """
-    unit = "" if limb.per_unit_drive else "m/s²"
     tracks = [
-        track(
-            place,
-            Recording(
-                samples=Samples(values=drive, sample_rate_hz=limb.sample_rate_hz, unit=unit),
-                name=name,
-            ),
-        )
+        track(place, Recording(samples=samples_of(limb, drive), name=name))
         for place, drive in zip(inputs, drives, strict=True)
         if drive.any()
     ]

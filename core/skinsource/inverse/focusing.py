@@ -8,7 +8,7 @@ little is sharp.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -16,11 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking, real_number
-from skinsource.base.conventions import Axes, Band, Complexes, Floats, Integers
+from skinsource.base.conventions import Axes, Complexes, Floats, Integers
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.design import Design
-from skinsource.design.waveform import Waveform
-from skinsource.inverse.designing import DRIVEN_HZ, Spectrum, delay_of, designed
+from skinsource.inverse.designing import Solution
 from skinsource.inverse.responses import (
     Responses,
     gram_of,
@@ -30,8 +28,7 @@ from skinsource.inverse.responses import (
     responses_of,
 )
 from skinsource.limbs.catalog import limb_of
-from skinsource.limbs.limb import Limb, LimbFacts
-from skinsource.limbs.scaling import pulse_spectrum
+from skinsource.limbs.limb import Limb
 
 LEAST_BETA, MOST_BETA = 1e-6, 1e9
 # How often a range of 15 decades is searched, and in how many steps each time: to 1e-12.
@@ -41,134 +38,33 @@ _REWEIGHTINGS, _ITERATIONS = 50, 60
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Focus:
-    """Drives that make one place strong, at each frequency.
-
-    Drives are in units of the measuring pulse, those of own limbs in the unit of their drive.
+class Focus(Solution):
+    """A solution, and what is to be expected of it.
 
     Attributes
     ----------
-    limb
-        Whose responses were used.
-    target
-        Output, from 1; of several the first.
-    inputs
-        Places in use, from 1.
-    frequencies_hz : (n_bins,)
-        Where it was solved.
-    drives : (n_bins, limb.n_inputs)
-        With them the target's response is 1; 0 for inputs not in use.
-    beta : (n_bins,)
-        Regularisation: much is strong, little is sharp.
-    row : (n_bins, n_used)
-        Responses of the target, along its strongest direction where there are several axes.
-    gram : (n_bins, n_used, n_used)
-        Sum of conj(G) G over the rows G of what is quiet.
     mean_contrast_db : (n_bins,)
         Energy at the target over the mean of the quiet outputs.
-    unseen_contrast_db : (n_bins,)
-        The same at quiet outputs that the design never saw, each left out in turn.
     loudest_other_db : (n_bins,)
         Energy at the target over that of the loudest other output.
     loudest_other : (n_bins,)
         That output, from 1.
     spread_db : (n_bins,)
         Energy of the strongest of several targets over that of the weakest.
+    unseen
+        Finds `unseen_contrast_db`, which takes as long as the drives.
     """
 
-    limb: LimbFacts
-    target: int
-    inputs: tuple[int, ...]
-    frequencies_hz: Floats
-    drives: Complexes
-    beta: Floats
-    row: Complexes
-    gram: Complexes
     mean_contrast_db: Floats
-    unseen_contrast_db: Floats
     loudest_other_db: Floats
     loudest_other: Integers
     spread_db: Floats
+    unseen: Callable[[], Floats]
 
-    def __repr__(self) -> str:
-        f = self.frequencies_hz
-        return f"<Focus on output {self.target} of {self.limb.name}, {f[0]:.4g} to {f[-1]:.4g} Hz>"
-
-    @property
-    def used_drives(self) -> Complexes:
-        """Drives of the inputs in use, (n_bins, n_used)."""
-        return self.drives[:, np.array(self.inputs) - 1]
-
-    @property
-    def effort_db(self) -> Floats:
-        """Energy of the drives over the least that gives the same at the target, (n_bins,)."""
-        return effort_db(self.used_drives, self.row)
-
-    @property
-    def contact_db(self) -> Floats:
-        """Acceleration at the target over that of the strongest contact, (n_bins,).
-
-        NaN for own limbs, whose drives have no known unit.
-        """
-        limb = self.limb
-        if limb.per_unit_drive:
-            return np.full(len(self.drives), np.nan)
-        pulse = pulse_spectrum(self.frequencies_hz, limb.sample_rate_hz)
-        at_target = np.abs((self.row * self.used_drives).sum(axis=1))
-        return power_db(at_target**2, np.square(np.abs(self.drives).max(axis=1) * pulse))
-
-    @property
-    def delay_s(self) -> float:
-        """Time at which a waveform begins on the skin, after its design has begun."""
-        return delay_of(self.limb)
-
-    @checking
-    def design(
-        self,
-        waveform: Waveform,
-        level: float | None = None,
-        spectrum: Spectrum = "as drawn",
-        peak: float | None = None,
-        band_hz: Band = DRIVEN_HZ,
-    ) -> Design:
-        """Return a design that plays a waveform at the target, `delay_s` later.
-
-        Its drives are probe acceleration, as an equaliser wants it; those of own limbs are in the
-        unit of their drive.
-
-        Parameters
-        ----------
-        waveform
-            What the target does, m/s².
-        level
-            RMS of the target along its direction, over its loudest 100 ms, m/s²; None: as of the
-            waveform.
-        spectrum
-            ``"as drawn"``, or ``"natural"``: times the energy of the responses, at most 1, so that
-            little is spent where the skin answers little.
-        peak
-            Most that a drive may reach, m/s²; the best drives within it are then found, and the
-            target may become less strong.  None: there is no limit.
-        band_hz
-            Nothing is driven outside.
-
-        Raises
-        ------
-        InvalidInputError
-            A level is asked of a waveform without anything in the band.
-
-        Examples
-        --------
-        >>> import skinsource as ss
-        >>> found = ss.inverse.focus("synthetic-1", 30)
-        >>> design = found.design(ss.waveforms.Tone(frequency_hz=100.0), level=0.1)
-        >>> levels_db = ss.evaluate(
-        ...     design, "output_levels_db", view=ss.View(axes="z", span="loudest")
-        ... )["output_levels_db"]
-        >>> print(f"{levels_db[29]:.1f} dB")
-        -20.0 dB
-        """
-        return designed(self, waveform, level, spectrum, peak, band_hz)
+    @cached_property
+    def unseen_contrast_db(self) -> Floats:
+        """`mean_contrast_db` at quiet outputs that the design never saw, each left out in turn."""
+        return self.unseen()
 
 
 @checking
@@ -219,8 +115,7 @@ def focus(
     >>> bool((found.mean_contrast_db > 3.0).all())
     True
     """
-    responses = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
-    wish = Wish.of(responses, [target], quiet)
+    wish = Wish.of(limb, [target], quiet, axes, inputs, frequencies_hz)
     most_db = None if effort_db is None else _checked_effort(effort_db)
     return wish.focused(checked_beta(beta), most_db)
 
@@ -260,13 +155,12 @@ def quietest(
     >>> bool(even.loudest_other_db > mean.loudest_other_db)
     True
     """
-    responses = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
-    wish = Wish.of(responses, [target], quiet)
+    wish = Wish.of(limb, [target], quiet, axes, inputs, frequencies_hz)
     most_db = _checked_effort(effort_db)
     lowest, best = np.full(len(wish.row), np.inf), wish.weights
     for _ in range(_REWEIGHTINGS):
         drives, _ = loaded(wish.row, wish.gram, effort_db=most_db)
-        energy = energy_of(responses, drives)[:, np.array(wish.quiet) - 1]
+        energy = energy_of(wish.responses, drives)[:, np.array(wish.quiet) - 1]
         loudest = energy.max(axis=1)
         best = np.where((loudest < lowest)[:, None], wish.weights, best)
         lowest = np.minimum(loudest, lowest)
@@ -303,8 +197,8 @@ def best_single(
     >>> ss.inverse.best_single("synthetic-1", 30, frequencies_hz=[100.0]).inputs
     (12,)
     """
-    every = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
-    wish = Wish.of(every, [target], quiet)
+    wish = Wish.of(limb, [target], quiet, axes, inputs, frequencies_hz)
+    every = wish.responses
     energy = np.square(np.abs(every.values)).sum(axis=(0, 2))
     contrast_db = power_db(energy[wish.strong[0] - 1], energy[np.array(wish.quiet) - 1].sum(axis=0))
     place = every.inputs[int(np.nanargmax(contrast_db))]
@@ -343,8 +237,7 @@ def time_reversal(
     >>> print(f"{abs(found.effort_db[0]):.1f} dB")
     0.0 dB
     """
-    responses = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
-    return Wish.of(responses, [target], quiet).reversed_in_time()
+    return Wish.of(limb, [target], quiet, axes, inputs, frequencies_hz).reversed_in_time()
 
 
 @checking
@@ -384,8 +277,7 @@ def paint(
     >>> bool(painted.spread_db < 1.0)
     True
     """
-    responses = responses_of(limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
-    wish = Wish.of(responses, list(strong), list(quiet))
+    wish = Wish.of(limb, list(strong), list(quiet), axes, inputs, frequencies_hz)
     of_strong, of_quiet = (
         np.array([_checked_weight(weight) for weight in weights.values()])
         for weights in (strong, quiet)
@@ -394,7 +286,7 @@ def paint(
     roots = np.sqrt(of_strong * of_quiet.sum() / of_strong.sum())
     wish = replace(wish, weights=np.broadcast_to(of_quiet, wish.weights.shape))
     betas = np.full(len(wish.row), checked_beta(beta))
-    rows = np.stack([target_row(responses, output) for output in wish.strong], axis=1)
+    rows = np.stack([target_row(wish.responses, output) for output in wish.strong], axis=1)
     rows = roots[:, None] * rows
     inverse = wish.inverse(betas, gram_of(rows))
     back = inverse @ rows.conj().swapaxes(1, 2)
@@ -403,7 +295,7 @@ def paint(
     for _ in range(_ITERATIONS):
         phases = _phases(np.einsum("fst,t,ft->fs", onward, roots, phases))
     drives = np.einsum("fis,s,fs->fi", back, roots, phases)
-    painted = wish.solved(drives, betas, inverse)
+    painted = wish.solved(drives, betas, lambda: inverse)
     return replace(painted, gram=painted.gram + gram_of(rows[:, 1:]))
 
 
@@ -431,7 +323,14 @@ class Wish:
     weights: Floats
 
     @staticmethod
-    def of(responses: Responses, strong: Sequence[int], quiet: Sequence[int] | None) -> Wish:
+    def of(
+        limb: Limb | str,
+        strong: Sequence[int],
+        quiet: Sequence[int] | None,
+        axes: Axes,
+        inputs: Sequence[int] | None,
+        frequencies_hz: ArrayLike | None,
+    ) -> Wish:
         """Return the wish for these outputs; None: all others on the hand are quiet.
 
         Raises
@@ -439,6 +338,9 @@ class Wish:
         InvalidInputError
             There is no such output, one is both, a strong one is mostly noise, or one kind lacks.
         """
+        responses = responses_of(
+            limb_of(limb), axes=axes, inputs=inputs, frequencies_hz=frequencies_hz
+        )
         checked = tuple(responses.check_target(output) for output in strong)
         silent = quiet_of(responses, checked, quiet)
         if not checked or not silent:
@@ -467,16 +369,16 @@ class Wish:
     def focused(self, beta: float = 0.3, effort_db: float | None = None) -> Focus:
         """Return the focus of `loaded`."""
         drives, betas = loaded(self.row, self.gram, beta=beta, effort_db=effort_db)
-        return self.solved(drives, betas, self.inverse(betas))
+        return self.solved(drives, betas, lambda: self.inverse(betas))
 
     def reversed_in_time(self) -> Focus:
         """Return the focus of drives that do not know what is quiet."""
         nothing = np.zeros_like(self.gram)
         drives, _ = loaded(self.row, nothing)
-        seen = self.solved(drives, np.full(len(drives), np.inf), nothing)
+        seen = self.solved(drives, np.full(len(drives), np.inf), lambda: nothing)
         return replace(seen, gram=nothing)
 
-    def solved(self, drives: Complexes, beta: Floats, inverse: Complexes) -> Focus:
+    def solved(self, drives: Complexes, beta: Floats, inverse: Callable[[], Complexes]) -> Focus:
         """Return the focus of drives of the inputs in use, (n_bins, n_used), and their inverse."""
         drives = drives / (self.row * drives).sum(axis=1, keepdims=True)
         energy = energy_of(self.responses, drives)
@@ -496,13 +398,13 @@ class Wish:
             row=self.row,
             gram=self.gram,
             mean_contrast_db=power_db(bright, quiet.mean(axis=1)),
-            unseen_contrast_db=self._unseen_contrast_db(drives, inverse),
             loudest_other_db=power_db(bright, of_others.max(axis=1)),
             loudest_other=others[of_others.argmax(axis=1)],
             spread_db=power_db(strong.max(axis=1), strong.min(axis=1)),
+            unseen=lambda: self.unseen_contrast_db(drives, inverse()),
         )
 
-    def _unseen_contrast_db(self, drives: Complexes, inverse: Complexes) -> Floats:
+    def unseen_contrast_db(self, drives: Complexes, inverse: Complexes) -> Floats:
         """Return the contrast at quiet outputs, each left out of the design with the same λ."""
         # Matrices of all rows at a frequency: threads make many small products far longer.
         n_bins, _, n_axes, n_used = self.responses.values.shape
@@ -627,12 +529,6 @@ def energy_of(responses: Responses, drives: Complexes) -> Floats:
     """Return the energy at all outputs over their axes, (n_bins, n_outputs)."""
     field = np.einsum("foai,fi->foa", responses.values, drives)
     return np.square(np.abs(field)).sum(axis=2)
-
-
-def effort_db(drives: Complexes, row: Complexes) -> Floats:
-    """Return the energy of drives over the least that gives 1 at the target, (n_bins,)."""
-    energies = (np.square(np.abs(each)).sum(axis=1) for each in (drives, row))
-    return power_db(np.prod(list(energies), axis=0), np.ones(len(row)))
 
 
 def checked_beta(beta: float) -> float:

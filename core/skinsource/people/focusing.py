@@ -108,8 +108,8 @@ def focus(
         row=row,
         gram=grams.mean(axis=0),
         mean_contrast_db=power_db(one, seen.mean(axis=(0, 2))),
-        unseen_contrast_db=power_db(one, unseen.mean(axis=(0, 2))),
         loudest_other_db=power_db(one, unseen.max(axis=2).mean(axis=0)),
         loudest_other=np.zeros(len(row), dtype=np.int64),
         spread_db=np.zeros(len(row)),
+        unseen=lambda: power_db(one, unseen.mean(axis=(0, 2))),
     )

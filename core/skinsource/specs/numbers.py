@@ -248,6 +248,7 @@ class OptionalSpec(Spec):
 
     of: Spec
     left_out_empty: bool = False
+    unset: str = "none"
 
     def checked(self, value: Any) -> Any:
         """Return ``None``, or the checked value."""
@@ -290,6 +291,8 @@ class ListSpec(Spec):
         Whether equal parts are forbidden.
     left_out_empty
         Whether an empty list is left out of files, which older versions can read then.
+    unset
+        Text in the place of an empty list.
     """
 
     of: Spec
@@ -297,6 +300,7 @@ class ListSpec(Spec):
     most: int = 10_000
     different: bool = False
     left_out_empty: bool = False
+    unset: str = "none"
 
     def checked(self, value: Any) -> tuple[Any, ...]:
         """Return a tuple of the checked parts; the same one if no part changed."""

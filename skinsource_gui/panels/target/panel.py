@@ -9,6 +9,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QRectF, QSize, Qt
 
 from skinsource.base.conventions import (
+    ALL_AXES,
     BAND_HZ,
     LARGEST_VELOCITY_M_PER_S,
     SAMPLE_RATE_HZ,
@@ -49,6 +50,7 @@ from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.resources import columns_of
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.aiming import Found, FoundPanel, Person
+from skinsource_gui.state.panel import PREPARING
 
 _LIMIT_MM_S = 1e3 * LARGEST_VELOCITY_M_PER_S
 COLUMNS = columns_of("target", limit_mm_s=_LIMIT_MM_S)
@@ -84,7 +86,7 @@ def row_of(way: Way, limb: str) -> tuple[str, ...]:
         level_text(way.quiet_db),
         level_text(way.between_db),
         level_text(way.contact_db),
-        f"{way.effort_db:.1f} dB",
+        f"{way.effort_db:z.1f} dB",
         "not known" if isnan(speed) else f"{1e3 * speed:.2g} of {_LIMIT_MM_S:g}",
     )
 
@@ -249,14 +251,20 @@ class TargetPanel(FoundPanel):
         self.sharpness.blockSignals(False)
         self.detach.setEnabled(found is not None)
         self.use_clip.setEnabled(self._clip() is not None)
+        if target.strong and self.said.text() == _EMPTY:
+            self.said.setText(PREPARING)
 
     def show_found(self, found: Found | None) -> None:
         shown = found or Found(design=self._design, said=(_EMPTY,))
         self.ways.show_ways(shown.ways, shown.design.limb)
         self.said.setText(minus(" ".join(shown.said)))
         set_tone(self.said, "warning" if found else "dim")
-        level = f"Each way gives {self._target.amplitude:.3g} m/s² at the strong outputs. "
-        self.about.setText((level if shown.ways else "") + Target.limits)
+        level = ""
+        if shown.ways:
+            along = "" if self._target.axes == ALL_AXES else f" along {self._target.axes}"
+            amplitude = shown.ways[-1].amplitude
+            level = f"Each way gives {amplitude:.3g} m/s²{along} at the strong outputs. "
+        self.about.setText(level + Target.limits)
         self.people.show_people(shown.people, self._target.strong)
         for part in (self.ways, self.people):
             part.setVisible(bool(shown.ways))
@@ -298,7 +306,9 @@ class TargetPanel(FoundPanel):
         inside = QtWidgets.QWidget()
         in_column(self.grid, None, of=inside, margins=(0, 0, UNIT_PX, 0))
         left = in_column(brushes, slider, (scrolled(inside, "target_fields"), 1))
-        words = in_column(self.said, self.about, None)
-        right = in_column(self.ways, (in_row((words, 1), (self.people, 1)), 1))
+        words = QtWidgets.QWidget()
+        in_column(self.said, self.about, None, of=words, margins=(0, 0, UNIT_PX, 0))
+        below = in_row((scrolled(words, "target_words"), 1), (self.people, 1))
+        right = in_column(self.ways, (below, 1))
         edges = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
         in_row((left, 3), (right, 6), of=self, margins=edges, gap_px=UNIT_PX)

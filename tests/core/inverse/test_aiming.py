@@ -7,10 +7,15 @@ import pytest
 
 import skinsource as ss
 from skinsource import Design, View, edits
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.actuators.prediction import Limits
+from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.target import Target
+from skinsource.design.target import Target, is_unsolved, target_in
 from skinsource.design.waveforms import Formula, Tap, Tone
-from skinsource.inverse.aiming import Way, aim, aim_of, on_limb, sentences, ways
+from skinsource.inverse.aiming import Way, aim, aim_of, margin_of, on_limb, sentences, ways
+from skinsource.inverse.focusing import Wish
 
 LIMB = "synthetic-1"
 TARGET = Target(strong=(30,), waveform=Tone(100.0, duration_s=0.2))
@@ -64,6 +69,17 @@ def test_figures_are_those_of_the_map(strong):
     assert own.quiet_db == pytest.approx(mean_db(of_others) - bright, abs=0.3)
 
 
+@pytest.mark.parametrize("strong", [(30,), (28, 29, 30)])
+def test_drives_are_found_without_the_unseen_contrast(strong, monkeypatch):
+    asked, find = [], Wish.unseen_contrast_db
+    monkeypatch.setattr(Wish, "unseen_contrast_db", lambda *given: asked.append(1) or find(*given))
+    aimed = aim_of(solved(replace(TARGET, strong=strong)))
+    assert not asked
+    ways(aimed)
+    assert aimed.focus.unseen_contrast_db is aimed.focus.unseen_contrast_db
+    assert len(asked) == 1
+
+
 def test_painted_quiet_outputs_are_quieter_than_where_all_are(limb):
     few = aim(replace(TARGET, quiet=(19, 20)), limb)
     assert ways(few)[2].quiet_db < ways(aim(TARGET, limb))[2].quiet_db - 3.0
@@ -111,7 +127,7 @@ def test_other_people_get_the_same_drives(limb):
 
 def a_way(**changes):
     figures = {"loudest_db": -5.0, "quiet_db": -12.0, "between_db": -12.0, "effort_db": 1.0}
-    figures |= {"contact_db": 3.0, "velocity_m_per_s": 0.01}
+    figures |= {"contact_db": 3.0, "velocity_m_per_s": 0.01, "amplitude": 1.0}
     return Way(title="", loudest=31, **figures | changes)
 
 
@@ -139,13 +155,15 @@ def a_way(**changes):
 )
 def test_what_cannot_be_reached_is_said_with_the_best_that_is(single, own, said, limb):
     found = a_way(**single), a_way(), a_way(**own)
-    assert list(sentences(aim(TARGET, limb), found)) == said
+    told = sentences(aim(TARGET, limb), found, Design(limb=LIMB))
+    assert [each for each in told if not each.startswith("Between sensors")] == said
 
 
 def test_where_some_are_painted_quiet_the_rest_may_be_louder(limb):
     few = aim(replace(TARGET, quiet=(19, 20)), limb)
     louder = a_way(loudest_db=3.2)
-    assert sentences(few, (a_way(between_db=-8.5), a_way(), louder)) == ()
+    said = sentences(few, (a_way(between_db=-8.5), a_way(), louder), Design(limb=LIMB))
+    assert said == ("Between sensors it is 3.5 dB quieter than the best input.",)
 
 
 @pytest.mark.parametrize(
@@ -167,3 +185,61 @@ def test_drives_that_are_no_accelerations_are_refused(scaling):
     design = edits.add_motion(Design(limb=LIMB, scaling=scaling), View(), TARGET).design
     with pytest.raises(InvalidInputError, match="scaling Probe acceleration"):
         aim_of(design)
+
+
+def limited(peak=0.15, **changes):
+    return replace(TARGET, amplitude=0.5, peak=peak, **changes)
+
+
+def test_a_peak_is_kept_and_what_is_reached_is_that_of_the_map():
+    free, within = solved(limited(0.0)), solved(limited())
+    assert max(np.abs(drive.values).max() for drive in target_in(free)[1].drives) > 0.31
+    assert max(np.abs(drive.values).max() for drive in target_in(within)[1].drives) <= 0.3
+    *_, own = ways(aim_of(within))
+    levels, all_of_it = levels_db(within), levels_db(free)[29]
+    assert 20.0 * np.log10(own.amplitude / 0.5) == pytest.approx(levels[29] - all_of_it, abs=0.3)
+    others = np.delete(levels[:42], 29)
+    assert own.quiet_db == pytest.approx(mean_db(others) - levels[29], abs=0.3)
+    assert own.loudest_db == pytest.approx(others.max() - levels[29], abs=0.3)
+    said = sentences(aim_of(within), ways(aim_of(within)), within)
+    assert said[0] == f"Not reachable within a peak of 0.15 m/s²: {own.amplitude:.2g} m/s² at most."
+
+
+def test_drives_of_another_level_are_found_again_only_within_a_peak():
+    for peak, again in ((0.0, False), (0.15, True)):
+        design = solved(limited(peak))
+        louder = replace(target_in(design)[1], amplitude=0.6)
+        assert is_unsolved(edits.change_target(design, View(), louder).design) == again
+
+
+COIL = ActuatorAt(model=ss.actuators.load("example-voice-coil"), actuator="example-voice-coil")
+DRIVEN = Actuation(actuators=(COIL,), equaliser=RegularisedInverse(), on=False)
+
+
+@pytest.mark.parametrize(
+    "wired",
+    [{"full_scale_v": 0.01}, {"limits": Limits(peak_current_a=1e-3)}],
+    ids=["full scale", "limit"],
+)
+def test_limits_of_the_rig_bound_the_level(wired):
+    channels = tuple(RigChannel(place=n, output=n, **wired) for n in range(1, 21))
+    rigged = {"actuation": DRIVEN, "rig": Rig(channels=channels)}
+    design = solved(replace(TARGET, amplitude=20.0), **rigged)
+    aimed = aim_of(design)
+    margin = margin_of(aimed, design)
+    assert margin.factor < 1.0
+    told = sentences(aimed, ways(aimed), design)
+    most = f"{20.0 * margin.factor:.2g} m/s² at most."
+    assert f"Not reachable within the actuator's limits ({margin.words}): {most}" in told
+    gentler = solved(replace(TARGET, amplitude=19.9 * margin.factor), **rigged)
+    assert margin_of(aim_of(gentler), gentler).factor > 1.0
+
+
+def test_tracks_beside_the_target_are_counted():
+    design = solved(
+        inputs=(ss.track(7, Tone()), ss.track(8, Tone()), ss.track(9, Tone(), muted=True))
+    )
+    aimed = aim_of(design)
+    told = sentences(aimed, ways(aimed), design)
+    assert told[-1] == "2 other tracks play as well; the rows leave them out."
+    assert not any("other track" in each for each in sentences(aimed, ways(aimed), solved()))
