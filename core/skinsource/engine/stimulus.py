@@ -560,7 +560,12 @@ _NO_DELAY = 1e-6
 
 
 def for_rig(
-    stimulus: Stimulus, rig: Rig, equaliser: Equaliser | None, *, scaled: bool = False
+    stimulus: Stimulus,
+    rig: Rig,
+    equaliser: Equaliser | None,
+    *,
+    scaled: bool = False,
+    stop: Stop = never,
 ) -> Stimulus:
     """Return the samples that the channels of a rig must play.
 
@@ -583,7 +588,7 @@ def for_rig(
     samples, unit = np.array(stimulus.samples), stimulus.unit
     if equaliser is not None:
         samples = _equalised(
-            stimulus, equaliser, lambda row: _actuator_of(channel_of(stimulus, row, rig))
+            stimulus, equaliser, lambda row: _actuator_of(channel_of(stimulus, row, rig)), stop
         )
     channels = {row: channel_of(stimulus, row, rig) for row in stimulus.driving}
     if equaliser is not None or (unit == "V" and not scaled):
@@ -596,7 +601,9 @@ def for_rig(
     return _aligned(stimulus.with_samples(samples, unit=unit), rig)
 
 
-def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equaliser) -> Stimulus:
+def through_actuators(
+    stimulus: Stimulus, actuation: Actuation, equaliser: Equaliser, stop: Stop = never
+) -> Stimulus:
     """Return the volts that make actuators follow the drives, without a rig.
 
     Raises
@@ -609,17 +616,20 @@ def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equal
         for row, channel in enumerate(stimulus.channels)
         if (place := channel.place) is not None
     }
-    samples = _equalised(stimulus, equaliser, lambda row: actuation.at(places[row]).model)
+    samples = _equalised(stimulus, equaliser, lambda row: actuation.at(places[row]).model, stop)
     return stimulus.with_samples(samples, unit="V")
 
 
-def _equalised(stimulus: Stimulus, equaliser: Equaliser, model_of: Callable[[int], Any]) -> Floats:
+def _equalised(
+    stimulus: Stimulus, equaliser: Equaliser, model_of: Callable[[int], Any], stop: Stop
+) -> Floats:
     """Return samples with the volts for the actuators, by their rows."""
     _check_accelerations(stimulus)
     rate_hz, samples = stimulus.sample_rate_hz, np.array(stimulus.samples)
     # The frequencies at which actuators follow the drives.
     band = followed_band(stimulus.limb_band_hz, min(rate_hz, stimulus.own_rate_hz))
     for row in stimulus.driving:
+        stop_if(stop)
         try:
             samples[row] = equalised(samples[row], rate_hz, model_of(row), equaliser, band_hz=band)
         except InvalidInputError as error:

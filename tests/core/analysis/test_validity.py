@@ -148,7 +148,7 @@ def test_the_sidecar_of_a_stimulus_carries_the_note_on_the_limb(monkeypatch):
     # A measure, of which a map has several.
     noise = validity.noise_findings(np.array([3.0, 9.0]), synthetic=False, silent=False)
     results = {"limb_data": limb, "validity": [noise]}
-    monkeypatch.setattr(sidecar, "new_graph", lambda: Mock(evaluate=lambda *_: results))
+    monkeypatch.setattr(sidecar, "new_graph", lambda: Mock(evaluate=lambda *_, stop: results))
     assert "whole record, x, y, z" in about_validity(design_of())["validity"][0]["sentence"]
 
 

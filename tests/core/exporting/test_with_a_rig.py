@@ -9,8 +9,9 @@ import skinsource as ss
 from skinsource.actuators import Limits, MeasuredResponse
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
-from skinsource.base.errors import InvalidInputError, NotConfirmedError
+from skinsource.base.errors import InvalidInputError, NotConfirmedError, Stopped
 from skinsource.cli.command_line import main
+from skinsource.engine import stimulus
 from tests.core.exporting.export_bench import actuation, read, sidecar
 
 RATE_HZ = 8000
@@ -278,6 +279,14 @@ def test_a_rig_says_the_actuators_itself(design, rig, tmp_path):
         assert exported.equalised == f"Equalised for {title or 'the rig'} (regularised inverse)"
         said = sidecar(tmp_path / "a.wav")["actuator"]
         assert [each["name"] for each in said] == ["own", "own"]
+
+
+def test_it_can_be_stopped_after_each_channel_that_is_equalised(design, rig, path, monkeypatch):
+    rows = []
+    monkeypatch.setattr(stimulus, "equalised", lambda samples, *_, **__: rows.append(samples) or 0)
+    with pytest.raises(Stopped):
+        ss.export_stimulus(design, path, rig=rig, equaliser=INVERSE, stop=lambda: bool(rows))
+    assert len(rows) == 1
 
 
 def test_what_the_limited_boost_takes_is_the_same_number_everywhere(tmp_path, capsys):

@@ -30,9 +30,9 @@ def test_from_page_to_file_each_clip_is_sampled_once(desk, qtbot, save_as, monke
         sampled.append(waveform)
         return sample(waveform, *arguments)
 
-    def count_predictions(design):
-        predictions.append(design)
-        return predict(design)
+    def count_predictions(*arguments):
+        predictions.append(arguments)
+        return predict(*arguments)
 
     monkeypatch.setattr(stimulus, "played", count_sampled)
     monkeypatch.setattr(sidecar, "about_validity", count_predictions)

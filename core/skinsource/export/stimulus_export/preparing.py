@@ -410,7 +410,7 @@ def prepare_stimulus(
     if misfit and equalised:
         raise InvalidInputError(misfit)
     wanted = _exported_part(drives, drives.duration_s, options)
-    drives = _for_rig(drives, rig, equaliser, options, at_places)
+    drives = _for_rig(drives, rig, equaliser, options, at_places, stop)
     if options.from_s is not None or options.to_s is not None:
         to_s = drives.duration_s if options.to_s is None else options.to_s
         least = LEAST_PART * peaks(drives.samples).max(initial=0.0)
@@ -472,7 +472,7 @@ def prepare_stimulus(
         actuation=at_places,
         rig=rig,
         equaliser=equaliser,
-        weakened="" if equaliser is None else weakened_by(equaliser, wanted, rig, at_places),
+        weakened="" if equaliser is None else weakened_by(equaliser, wanted, rig, at_places, stop),
         misfit=misfit,
     )
 
@@ -519,6 +519,7 @@ def _for_rig(
     equaliser: Equaliser | None,
     options: StimulusOptions,
     actuation: Actuation | None,
+    stop: Stop,
 ) -> Stimulus:
     """Return the drives of the channels of ``rig``, or of the actuators where there is no rig."""
     if rig is not None:
@@ -527,7 +528,8 @@ def _for_rig(
                 f"full_scale is {options.full_scale:g}, but with an equaliser the rig sets it. "
                 "Remove one of them."
             )
-        return for_rig(stimulus, rig, equaliser, scaled=options.full_scale is not None)
+        scaled = options.full_scale is not None
+        return for_rig(stimulus, rig, equaliser, scaled=scaled, stop=stop)
     if equaliser is None:
         return stimulus
     if actuation is None:
@@ -535,7 +537,7 @@ def _for_rig(
             "An equaliser needs the actuator at each place. Choose a rig, or an actuator for the "
             "design."
         )
-    return through_actuators(stimulus, actuation, equaliser)
+    return through_actuators(stimulus, actuation, equaliser, stop)
 
 
 def with_losses(drives: Stimulus, own: Stimulus, options: StimulusOptions, stop: Stop) -> Stimulus:
@@ -569,7 +571,11 @@ def with_losses(drives: Stimulus, own: Stimulus, options: StimulusOptions, stop:
 
 
 def weakened_by(
-    equaliser: Equaliser, wanted: Stimulus, rig: Rig | None, actuation: Actuation | None
+    equaliser: Equaliser,
+    wanted: Stimulus,
+    rig: Rig | None,
+    actuation: Actuation | None,
+    stop: Stop,
 ) -> str:
     """Return where the wanted accelerations are weakened most; "": nowhere much.
 
@@ -585,6 +591,7 @@ def weakened_by(
     band = np.rint(10.0 * np.log10(frequency_hz) + 10.0).clip(0.0).astype(int)
     losses = []
     for row in wanted.driving:
+        stop_if(stop)
         place = wanted.channels[row].place or 0
         model: Any = actuator_at(place, rig, actuation)[1]
         gain = model.response(frequency_hz) * equaliser.filter(model, frequency_hz, band_hz)

@@ -11,6 +11,7 @@ from skinsource.actuators.actuation import Actuation, Model
 from skinsource.actuators.equalising import Equaliser
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import SkinSourceError
+from skinsource.base.job import Stop, never
 from skinsource.design.design import Design, Input, View
 from skinsource.design.labels import label_of, level_label, scalings_on, signal_label
 from skinsource.engine.quantities import new_graph, sources
@@ -97,7 +98,7 @@ def sidecar_of(
         "meaning": _meaning(ready, stimulus.unit, facts),
         "scaling_means": label_of(scalings_on(drive_unit_known=known), design.scaling).sentence,
         "predicted_through": _about_prediction(ready, design.actuated),
-        **about_validity(design),
+        **about_validity(design, file.stop),
         "clip_count": int(sum(counts)),
         "confirmed": list(confirmed),
         "edges": ready.edges,
@@ -111,13 +112,15 @@ def sidecar_of(
     return (json.dumps(content, ensure_ascii=False, indent=2, allow_nan=False) + "\n").encode()
 
 
-def about_validity(design: Design) -> dict[str, Any]:
+def about_validity(design: Design, stop: Stop = never) -> dict[str, Any]:
     """Return the note on the limb, and the conditions of the measurement with state and sentence.
 
     Both are empty where the limb is not installed: a stimulus can be exported without it.
     """
     try:
-        results = new_graph().evaluate({"limb_data", "validity"}, sources(design, View()))
+        results = new_graph().evaluate(
+            {"limb_data", "validity"}, sources(design, View()), stop=stop
+        )
     except SkinSourceError:
         return {"limb_note": None, "validity": []}
     view = View()
