@@ -13,7 +13,7 @@ from skinsource.design.edits.clips import of_each
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects import effect_kinds
 from skinsource.design.labels import scalings_on
-from skinsource.design.panel_settings import with_settings
+from skinsource.design.panel_settings import brush_of, with_settings
 from skinsource.design.waveforms import kinds
 from skinsource.engine.quantities import graphs_that_share
 from skinsource.limbs.dataset.store import NOT_INSTALLED
@@ -462,6 +462,12 @@ class MainWindow(QtWidgets.QMainWindow):
         bars = self.notice.card, self.playback.bar, self._head
         regions = (*bars, *self.panels, self.statusBar())
         return move_focus(self, regions, forward=forward)
+
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and brush_of(self.document.view):
+            self.do("aim")
+        else:
+            super().keyPressEvent(event)
 
     def closeEvent(self, event: QtGui.QCloseEvent) -> None:
         end_typing()

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from skinsource import Clip, Design, Input, View, actuators, edits, track
 from skinsource.actuators.actuation import Actuation, ActuatorAt
@@ -110,6 +111,15 @@ def test_t_takes_the_strong_brush_and_puts_it_away(at_target):
     assert window.panel(TARGET).isVisible()
     assert window.actions_by_name["aim"].isChecked()
     window.do("aim")
+    assert brush_of(window.document.view) == ""
+
+
+@pytest.mark.parametrize("panel", ["hand", "timeline", TARGET])
+def test_esc_puts_the_brush_away_wherever_the_keyboard_is(at_target, panel):
+    window = at_target()
+    window.activateWindow()
+    window.docks[panel].enter()
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Escape)
     assert brush_of(window.document.view) == ""
 
 

@@ -351,8 +351,6 @@ class SkinMap(QtWidgets.QWidget):
 
     #: The outputs to paint, a tuple of numbers; number of the gesture.
     painted = Signal(object, object)
-    #: The brush is to be put away.
-    brush_left = Signal()
     #: The outputs to select, a tuple of numbers.
     outputs_chosen = Signal(object)
     #: Text on what is under the pointer or the keyboard's cursor; empty for nothing.
@@ -588,7 +586,7 @@ class SkinMap(QtWidgets.QWidget):
         elif meaning == "arm":
             self.stage.show_arm(shown=self.stage.pan_zoom.fit == HAND)
         elif self.paints and meaning == "select_none":
-            self.brush_left.emit()
+            event.ignore()  # it puts the brush away in the whole window
         elif self.paints and meaning == "select" and self.picker.cursor_output is not None:
             self.painted.emit((self.picker.cursor_output,), new_gesture())
         elif meaning == "remove":

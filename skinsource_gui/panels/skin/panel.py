@@ -316,7 +316,6 @@ class SkinPanel(Panel):
         self.map.inputs_chosen.connect(partial(self._edit, edits.select_inputs))
         self.map.removal_requested.connect(self._remove_inputs)
         self.map.painted.connect(self._paint)
-        self.map.brush_left.connect(lambda: self.action_requested.emit("aim"))
         self.map.outputs_chosen.connect(partial(self._edit, edits.select_outputs))
         self.map.menu_requested.connect(self._open_menu)
         self.scrub.pace.edited.connect(lambda pace, _: self._choose_pace(float(pace)))

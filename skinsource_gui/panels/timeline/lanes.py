@@ -263,7 +263,7 @@ class LaneKeys:
             self._put_playhead(0.0 if at_start else max(ends, default=0.0))
         elif command:
             self._act(command)
-        return bool(command)
+        return command not in ("", "give_up")  # without a drag, Esc is for the window
 
     def _act(self, command: str) -> None:
         """Do what a command does to the selected clips, or to what is shown."""

@@ -95,7 +95,7 @@ class TracesPanel(SignalPanel):
         self._plot.plot.playhead_key.connect(self._press)
         # Which delay the curves on screen have, and when they end.
         self._drawn_removed, self._end_s = False, 0.0
-        # How long before 0 they begin: an equaliser of linear phase rings before it sounds.
+        # How long before 0 they begin: filters of linear phase ring before they sound.
         self._early_s = 0.0
         self._delay_s = facts_of("").pre_trigger_delay_s
 
@@ -240,7 +240,7 @@ def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
 
 def _without_beginning(axis: XAxis, early_s: float, extent: tuple[float, float]) -> XAxis:
     """Return the axis from 0 on, with a note that there is something before."""
-    note = f" · not shown: {early_s:.2g} s before 0, where an equaliser of linear phase rings"
+    note = f" · not shown: {early_s:.2g} s before 0, where filters ring"
     short = f" · {early_s:.2g} s before 0 not shown"
     titles = tuple(f"{axis.titles[-1]}{text}" for text in (note, short))
     return replace(axis, extent=extent, titles=(*titles, axis.titles[-1]))

@@ -62,7 +62,7 @@ def test_what_an_equaliser_of_linear_phase_rings_before_0_is_not_shown_and_said(
     time_s = results["response_time_s"]
     panel.show_results({**results, "response_time_s": time_s - 0.3})
     assert plot.x_window.shown == pytest.approx((0.0, time_s[-1] - 0.3))
-    assert "not shown: 0.3 s before 0" in plot.stack.x_axis.titles[0]
+    assert "not shown: 0.3 s before 0, where filters ring" in plot.stack.x_axis.titles[0]
     # Without such an equaliser nothing is left out, and nothing said.
     panel.show_results(results)
     assert plot.x_window.shown[0] == time_s[0]
