@@ -141,6 +141,12 @@ def limb_of() -> Callable[..., Limb]:
     return make
 
 
+@pytest.fixture(scope="module")
+def limb() -> Limb:
+    """Give the first synthetic limb."""
+    return load_limb("synthetic-1")
+
+
 def refused(action: Callable[[], object], *texts: str) -> int:
     """0 if ``action`` is refused with all ``texts``, else 1."""
     try:

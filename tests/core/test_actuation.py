@@ -126,11 +126,10 @@ def test_a_long_design_through_an_actuator_is_the_sum_of_its_parts():
     assert np.abs(values["axis_traces"][..., :n] - alone["axis_traces"]).max() < 1e-12 * peak
 
 
-def test_predict_does_the_same_for_scripts():
+def test_predict_does_the_same_for_scripts(limb):
     design = replace(design_of(tone()), actuation=actuation(equaliser=INVERSE))
     values = ss.evaluate(design, "axis_traces", "response_time_s", view=SEEN)
     (drive,) = ss.stimulus_of(design).samples
-    limb = ss.load_limb("synthetic-1")
     alone = ss.predict(limb, [drive], [7], scaling="probe", actuation=design.actuation)
     from_0 = values["axis_traces"][..., values["response_time_s"] >= 0.0]
     np.testing.assert_allclose(alone[[4, 19]], from_0, rtol=0.0, atol=1e-12 * np.abs(from_0).max())

@@ -37,8 +37,7 @@ def test_only_what_is_public_is_listed():
     assert dir(ss) == sorted(ss.__all__)
 
 
-def test_a_map_of_a_limb_is_one_line_and_its_places_are_in_millimetres():
-    limb = ss.load_limb("synthetic-1")
+def test_a_map_of_a_limb_is_one_line_and_its_places_are_in_millimetres(limb):
     assert repr(limb.map) == "<LimbMap: 72 outputs, 20 inputs, outline of 720 points>"
     mm_per_px = limb.hand_length_mm / limb.map.hand_length_px
     np.testing.assert_array_equal(limb.output_positions_mm, limb.map.output_positions * mm_per_px)

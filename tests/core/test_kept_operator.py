@@ -10,7 +10,6 @@ from skinsource.base.assets import cache_folder
 from skinsource.base.work import counting
 from skinsource.limbs.surface import surface
 from skinsource.limbs.surface.surface import cached_surface_operator, surface_operator
-from skinsource.limbs.synthetic import load_synthetic_limb
 
 SPACING_MM = 8.0
 
@@ -18,11 +17,6 @@ SPACING_MM = 8.0
 @pytest.fixture(autouse=True)
 def _a_folder_of_its_own(user_data, monkeypatch):
     monkeypatch.setenv("SKINSOURCE_CACHE", str(user_data / "kept"))
-
-
-@pytest.fixture(scope="module")
-def limb():
-    return load_synthetic_limb(1)
 
 
 @pytest.fixture(scope="module")

@@ -13,11 +13,6 @@ from tests.core.conftest import refused
 BETAS = (1e-6, 0.3, 1e6)
 
 
-@pytest.fixture(scope="module")
-def limb():
-    return ss.load_limb("synthetic-1")
-
-
 def drawn(seed, *shape):
     rng = np.random.default_rng(seed)
     return rng.normal(size=shape) + 1j * rng.normal(size=shape)

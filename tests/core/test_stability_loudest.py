@@ -9,21 +9,14 @@ eighth of the tone: with its length the stimulus itself changes, and far away so
 from collections.abc import Callable, Iterator
 
 import numpy as np
-import pytest
 
 from skinsource import Limb, predict, project_axes, rms, sinusoid
-from skinsource.limbs.synthetic import load_synthetic_limb
 
 FREQUENCIES_HZ = (100.0, 250.0, 600.0)
 LENGTHS_S = (0.2, 0.5, 3.0)
 PLACES = range(1, 21)
 RAMP_S = 0.025
 METHODS = {"magnitude": ("xyz", "mag"), "z": ("z", "mag"), "axis": ("xyz", "pca")}
-
-
-@pytest.fixture(scope="module")
-def limb() -> Limb:
-    return load_synthetic_limb(1)
 
 
 def tapered(frequency_hz: float, duration_s: float) -> np.ndarray:

@@ -10,7 +10,6 @@ from skinsource.base.conventions import VOLAR_OUTPUTS
 from skinsource.base.errors import InvalidInputError
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.surface.surface import surface_operator, surface_operator_from_map
-from skinsource.limbs.synthetic import load_synthetic_limb
 
 LIMBS = (1, 2, 3, 4)
 
@@ -57,8 +56,7 @@ def test_a_measured_limb_has_the_published_mask_and_sound_weights(measured_limb,
     assert volar.nnz == 0
 
 
-def test_each_output_stands_out_at_its_own_place():
-    limb = load_synthetic_limb(1)
+def test_each_output_stands_out_at_its_own_place(limb):
     operator = surface_operator(limb)
     for output in np.flatnonzero(np.isfinite(limb.map.output_positions[:, 0])):
         x, y = limb.output_positions_mm[output]
@@ -70,8 +68,7 @@ def test_each_output_stands_out_at_its_own_place():
         assert np.hypot(operator.x_mm[column] - x, operator.y_mm[row] - y) < 15.0
 
 
-def test_rows_increase_towards_the_fingertips_and_columns_away_from_the_thumb():
-    limb = load_synthetic_limb(1)
+def test_rows_increase_towards_the_fingertips_and_columns_away_from_the_thumb(limb):
     operator = surface_operator(limb, spacing_mm=2.0)
     values = np.nan_to_num(limb.map.output_positions)
     across, along = np.moveaxis(operator.interpolate(values), -1, 0)

@@ -151,12 +151,7 @@ def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refus
     >>> print(len(edit.design.clips))
     1
     """
-    chosen = chosen_clips(design, ids)
-    return Edit(
-        label=f"Remove {clips_text(design, chosen)}",
-        design=_without_clips(design, chosen),
-        view=replace(view, selected_clips=()),
-    )
+    return _without_clips(design, view, ids, "Remove")
 
 
 @refusing
@@ -441,9 +436,15 @@ def _onset(time_s: float) -> float:
     return min(max(short(time_s), ONSET.minimum), ONSET.maximum)
 
 
-def _without_clips(design: Design, removed: tuple[Clip, ...]) -> Design:
-    ids = {clip.id for clip in removed}
-    return with_clips(design, lambda track: [clip for clip in track.clips if clip.id not in ids])
+def _without_clips(design: Design, view: View, ids: Iterable[int], verb: str) -> Edit:
+    removed = chosen_clips(design, ids)
+    gone = {clip.id for clip in removed}
+    left = with_clips(design, lambda track: [clip for clip in track.clips if clip.id not in gone])
+    return Edit(
+        label=f"{verb} {clips_text(design, removed)}",
+        design=left,
+        view=replace(view, selected_clips=()),
+    )
 
 
 @refusing
@@ -534,12 +535,7 @@ def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     >>> print(edit.label)
     Cut clip at 7 (II pad)
     """
-    chosen = chosen_clips(design, ids)
-    return Edit(
-        label=f"Cut {clips_text(design, chosen)}",
-        design=_without_clips(design, chosen),
-        view=replace(view, selected_clips=()),
-    )
+    return _without_clips(design, view, ids, "Cut")
 
 
 @refusing
