@@ -51,7 +51,7 @@ def test_the_next_digit_is_as_quiet_as_the_sentence_says(measured):
     said = numbers_in(scene.scene.sentence)
     assert said == pytest.approx([levels_db[0]], abs=0.5)
     assert levels_db[1] < -20.0
-    assert "with 15 at below −20 dB" in scene.scene.sentence
+    assert "below −20 dB with 15;" in scene.scene.sentence
 
 
 def test_each_tip_plays_its_own_tone():

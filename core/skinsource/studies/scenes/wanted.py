@@ -36,9 +36,8 @@ def _tip_and_next(designs: tuple[Design, ...]) -> Wanted:
     aims = [aim_of(design) for design in designs]
     one, every = (ways(aim)[-1] for aim in aims)
     text = (
-        f"Digit III is at {_deep(one.quiet_db)} re the tip with one input, with "
-        f"{len(aims[-1].places)} at {_deep(every.quiet_db)}; between its sensors expect "
-        f"{_deep(every.between_db)}."
+        f"Digit III re the tip: {_deep(one.quiet_db)} with one input, {_deep(every.quiet_db)} with "
+        f"{len(aims[-1].places)}; between its sensors expect {_deep(every.between_db)}."
     )
     if one.between_db - every.between_db < LEAST_GAIN_DB:
         text += " One input does as well."
