@@ -23,6 +23,7 @@ from skinsource.studies.scenes.scenes import (
     all_scenes,
     missing_panels,
     open_scene,
+    opened_plainly,
 )
 
 #: Width of a picture, px.
@@ -33,11 +34,17 @@ MARK = "Scene"
 _HEADING = """\
 # Scenes
 
-Panels of the figures of the SkinSource paper as designs: `ss.scenes.open_scene("2F")`, the command
-`skinsource scenes 2F --out 2F.skinsource` and File > Scenes… open them. `skinsource figures --out
-FOLDER` draws them on the measured limbs where those are installed. The pictures below are computed
-on the **synthetic** limbs, which may not show what the sentences say of the measured ones. Made
-by `python benchmarks/gallery.py`; do not edit.
+Panels of the figures of the SkinSource paper as designs, and five of [inverse design](inverse.md):
+`ss.scenes.open_scene("2F")`, the command `skinsource scenes 2F --out 2F.skinsource` and File >
+Scenes… open them. `skinsource figures --out FOLDER` draws them on the measured limbs where those
+are installed. The pictures below are computed on the **synthetic** limbs, which may not show what
+the sentences say of the measured ones. Made by `python benchmarks/gallery.py`; do not edit.
+"""
+
+_INVERSE = """\
+# Inverse design
+
+Their drives are found on the limb where they open, and with them a sentence on what they do there.
 """
 
 
@@ -47,7 +54,9 @@ def synthetic_scene(name: str) -> OpenedScene:
 
 
 def mark_of(opened: OpenedScene) -> str:
-    """Return a digest of designs, view and synthetic limbs of a scene."""
+    """Return a digest of designs, view and synthetic limbs of a scene, without drives found."""
+    if not opened.scene.of_paper:
+        opened = opened_plainly(opened.scene.name, available=())
     parts = (opened.design, opened.view, *opened.conditions)
     content = [_changed_fields(part) for part in parts]
     digest = hashlib.sha256(repr(content).encode())
@@ -93,6 +102,8 @@ def page_of(scenes: tuple[Scene, ...], pictures: str) -> str:
     """Return the page of the documentation; ``pictures`` is the relative folder of pictures."""
     parts = [_HEADING]
     for scene in scenes:
+        if not scene.of_paper and _INVERSE not in parts:
+            parts.append(_INVERSE)
         paragraphs = [
             f"## {scene.heading}",
             f"![{scene.title}]({pictures}/{scene.name}.png)",

@@ -13,6 +13,7 @@ import numpy as np
 
 from skinsource.base.conventions import Complexes, Floats, Integers
 from skinsource.base.files import write_bytes
+from skinsource.design.comparing import half_width_db
 from skinsource.inverse.focusing import loaded, target_row
 from skinsource.inverse.responses import (
     HAND_OUTPUTS,
@@ -25,7 +26,6 @@ from skinsource.limbs.limb import Limb
 from skinsource.people.carrying import carried, far_apart
 from skinsource.people.likeness import probably_on, unlikeness
 from skinsource.people.others import band_levels_db, people_of
-from skinsource.people.ranges import half_width_db
 from skinsource.people.trials import held_text, range_held
 
 N_HAND = len(HAND_OUTPUTS)
@@ -263,6 +263,8 @@ is a range between people, no confidence band: it held these shares of the level
 {n} outputs.
 
 {held}
+
+In the studio, Compare shows its ends and mean: *Limbs*, *Range*.
 
 ## Some places measured
 

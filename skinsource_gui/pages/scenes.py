@@ -1,7 +1,9 @@
-"""The page that shows the scenes of the paper: a list, and picture, sentence and source of one."""
+"""The page that shows the scenes: a list, and picture, sentence and source of one."""
 
 from collections.abc import Collection
 from html import escape
+from itertools import groupby
+from operator import attrgetter
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
@@ -38,7 +40,7 @@ _PICTURES = "Pictures are computed on synthetic limbs."
 
 
 class ScenesPage(ToolPage):
-    """Shows the scenes of the paper, and emits which one is to be opened.
+    """Shows the scenes, and emits which one is to be opened.
 
     Parameters
     ----------
@@ -62,7 +64,7 @@ class ScenesPage(ToolPage):
         limb: str = "",
     ) -> None:
         super().__init__(parent, "scenes_page", TITLE, _SIZE_PX)
-        self._limbs, self._scenes = frozenset(limbs), all_scenes()
+        self._limbs, self._rows = frozenset(limbs), dict[int, Scene]()
         own = [name for name in limbs if facts_of(name).own]
         titles = tuple((name, limb_label(name).title) for name in own)
         self.played_on = ChoiceField(
@@ -71,7 +73,7 @@ class ScenesPage(ToolPage):
         self.played_on.setObjectName("scene_limb")
         self.played_on.set_value(limb if limb in own else "")
         self._any_own = bool(own)
-        self.list = named(QtWidgets.QListWidget(), "scenes_list", "Scenes of the paper")
+        self.list = named(QtWidgets.QListWidget(), "scenes_list", TITLE)
         self.list.setIconSize(QSize(*_ICON_PX))
         self.list.setFixedWidth(_LIST_PX)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -96,7 +98,7 @@ class ScenesPage(ToolPage):
     @property
     def scene(self) -> Scene:
         """The selected scene."""
-        return self._scenes[max(self.list.currentRow(), 0)]
+        return self._rows[max(self.list.currentRow(), 0)]
 
     def _lay_out(self) -> None:
         about = QtWidgets.QWidget()
@@ -115,25 +117,33 @@ class ScenesPage(ToolPage):
         self.open_button.setToolTip("Open the scene in place of the present design")
 
     def _fill(self, selected: str) -> None:
-        for scene in self._scenes:
-            item = QtWidgets.QListWidgetItem(scene.heading)
-            item.setIcon(_icon_of(picture_of(scene)))
-            self.list.addItem(item)
+        for of_paper, group in groupby(all_scenes(), attrgetter("of_paper")):
+            if not of_paper:
+                self._note("Inverse design")
+            for scene in group:
+                self._rows[self.list.count()] = scene
+                icon = _icon_of(picture_of(scene))
+                self.list.addItem(QtWidgets.QListWidgetItem(icon, scene.heading))
         for name, reason in missing_panels():
-            item = QtWidgets.QListWidgetItem(f"{name} · no scene: {reason}")
-            item.setToolTip(reason)
-            item.setFlags(Qt.ItemFlag.NoItemFlags)
-            self.list.addItem(item)
-        names = [scene.name for scene in self._scenes]
-        self.list.setCurrentRow(names.index(selected) if selected in names else 0)
+            self._note(f"{name} · no scene: {reason}", reason)
+        found = (row for row, scene in self._rows.items() if scene.name == selected)
+        self.list.setCurrentRow(next(found, 0))
+
+    def _note(self, text: str, tip: str = "") -> None:
+        """Add a row that cannot be chosen."""
+        item = QtWidgets.QListWidgetItem(text)
+        item.setToolTip(tip)
+        item.setFlags(Qt.ItemFlag.NoItemFlags)
+        self.list.addItem(item)
 
     def _show_limb(self) -> None:
         """Dim the scenes that do not apply on the chosen limb."""
         limb, theme = self.played_on.value, current_theme()
         self._reasons = {
-            scene.name: why_not_on(scene.name, limb) if limb else "" for scene in self._scenes
+            scene.name: why_not_on(scene.name, limb) if limb else ""
+            for scene in self._rows.values()
         }
-        for row, scene in enumerate(self._scenes):
+        for row, scene in self._rows.items():
             reason = self._reasons[scene.name]
             item = self.list.item(row)
             item.setForeground(QtGui.QColor(theme.dim if reason else theme.text))

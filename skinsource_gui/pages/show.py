@@ -160,7 +160,7 @@ class ShowPage(ToolPage):
         menu = QtWidgets.QMenu(self.add)
         menu.addAction("This design", self.add_open_design)
         menu.addAction("Designs of files…", self.add_files)
-        of_paper = menu.addMenu("Scene of the paper")
+        of_paper = menu.addMenu("Scene")
         for scene in scenes.all_scenes():
             of_paper.addAction(scene.heading, partial(self.add_scene, scene.name))
         self.add.setMenu(menu)

@@ -14,11 +14,11 @@ import scipy
 from skinsource.base.errors import Stopped
 from skinsource.base.files import make_folder, write_bytes
 from skinsource.base.job import Progress
+from skinsource.design.comparing import RANGE_BETWEEN_PEOPLE
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
 from skinsource.limbs.dataset.store import is_installed
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.people.ranges import MEANING as RANGE
 from skinsource.people.trials import held_text, range_held
 from skinsource.studies.accuracy.cases import cases_of
 from skinsource.studies.accuracy.measuring import (
@@ -91,7 +91,7 @@ def _bench(arguments: argparse.Namespace) -> None:
 
 def _between_people() -> tuple[str, ...]:
     """Return what the range between people held; nothing without the measured limbs."""
-    return (f"{RANGE}\n\n{held_text(range_held())}",) if is_installed() else ()
+    return (f"{RANGE_BETWEEN_PEOPLE}\n\n{held_text(range_held())}",) if is_installed() else ()
 
 
 def _write(

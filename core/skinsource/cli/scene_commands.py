@@ -1,4 +1,4 @@
-"""``skinsource scenes`` and ``figures``: panels of the paper, as designs and drawn."""
+"""``skinsource scenes`` and ``figures``: scenes, as designs and drawn."""
 
 import argparse
 import sys

@@ -10,6 +10,7 @@ import numpy as np
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.comparing import half_width_db
 from skinsource.design.design import Design, Input, View, audible_inputs
 from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import new_graph, sources
@@ -17,14 +18,6 @@ from skinsource.limbs.limb import Limb
 from skinsource.people.carrying import carried
 from skinsource.people.others import check_same_places, hand_outputs, people_of
 from skinsource.people.partial_limb import PartialLimb
-
-#: What the range is, and what it held.
-MEANING = (
-    "range between people: predicted from three, it held 78 to 97 % of the fourth one's levels; "
-    "four people, one posture"
-)
-#: Half of 90 % of a normal distribution, in standard deviations.
-_HALF = 1.645
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -62,7 +55,7 @@ def levels(
     """Return the levels of a design on the hand of somebody who was not measured.
 
     The range is ``±1.645 s √(1 + 1/n)`` about the mean of n people; s² is the variance between
-    them of this design, pooled over the hand.  It is no confidence band: `MEANING`.
+    them of this design, pooled over the hand.  It is no confidence band: `RANGE_BETWEEN_PEOPLE`.
 
     Parameters
     ----------
@@ -110,13 +103,6 @@ def levels(
         low_db=mean_db - half_db,
         high_db=mean_db + half_db,
     )
-
-
-def half_width_db(people_db: Floats) -> float:
-    """Return half the width of the range, of levels (n_people, ...) of what plays."""
-    n_people = len(people_db)
-    variance = people_db.var(axis=0, ddof=1).mean()
-    return float(_HALF * np.sqrt(variance * (1.0 + 1.0 / n_people)))
 
 
 class _Player:

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from skinsource.base.conventions import Band
+from skinsource.design.comparing import half_width_db
 from skinsource.limbs.limb import Limb
 from skinsource.people.others import OCTAVES_HZ, band_levels_db, hand_outputs, people_of
-from skinsource.people.ranges import half_width_db
 
 _TONES_HZ = (60.0, 100.0, 200.0, 300.0)
 _NOISE_HZ: Band = (25.0, 400.0)

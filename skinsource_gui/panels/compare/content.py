@@ -13,8 +13,10 @@ from skinsource.base.conventions import Axes, Floats
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import (
     MOST_SIDE_BY_SIDE,
+    REGION_OUTPUTS,
     difference_db,
     frequency_of,
+    half_width_db,
     mean_and_spread_over,
     same_outputs,
     scale_end_db,
@@ -39,7 +41,7 @@ from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.loudest_window import Span
 from skinsource_gui.fields.units import output_text
 from skinsource_gui.panels.compare.card import told_titles
-from skinsource_gui.panels.compare.settings import MOTION, SHOWN, CompareSettings
+from skinsource_gui.panels.compare.settings import MOTION, RANGE, SHOWN, CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import (
@@ -215,6 +217,8 @@ class CompareContent:
         return f"{output_text(output, drawn[0].limb)}: {values}"
 
 
+# Outputs over which a range between people is pooled: those of the hand.
+_HAND = np.array([*REGION_OUTPUTS["Digits"], *REGION_OUTPUTS["Back of the hand"]]) - 1
 # Levels that differ by less are shown as the same.
 _LEAST_DB = 0.05
 
@@ -268,10 +272,13 @@ def of_spread(
     reference: int,
     span: Span,
     style: LevelStyle = USUAL_STYLE,
+    *,
+    people: bool = False,
 ) -> tuple[Cell, ...]:
     """Return mean and standard deviation over all that have the outputs of ``reference``.
 
-    Lengths of records count as in `of_differences`.
+    Lengths of records count as in `of_differences`.  ``people``: the range between them instead,
+    as of `skinsource.people.levels`.
     """
     base = compared[reference]
     limb = _limb(base)
@@ -288,7 +295,6 @@ def of_spread(
             (side.problem for side, _ in comparable if side.problem), too_few
         )
         return (Cell(headings=("",), limb=limb, text="" if computing else problem),)
-    mean, spread = mean_and_spread_over(_levels_over(span, *known))
     called = [name for _, name in audible]
     what = _of_all(called, len(compared))
     noisy = noisy_outputs(*known)
@@ -298,6 +304,10 @@ def of_spread(
         stale=any(side.is_stale for side in known),
         synthetic=any(_synthetic(side) for side in known),
     )
+    levels_db = np.stack(_levels_over(span, *known))
+    if people:
+        return _range(base, plain, levels_db, noisy, what[-1], style)
+    mean, spread = mean_and_spread_over(levels_db)
     spread_scale = ColourScale(
         range_db=(0.0, scale_end_db(spread)),
         text_below="dB",
@@ -311,6 +321,31 @@ def of_spread(
     return (
         replace(plain, headings=of_mean, small=_map(base, mean, noisy), scale=mean_scale),
         replace(plain, headings=of_both, small=_map(base, spread, noisy), scale=spread_scale),
+    )
+
+
+def _range(
+    base: Compared,
+    plain: Cell,
+    levels_db: Floats,
+    noisy: tuple[int, ...],
+    of_whom: str,
+    style: LevelStyle,
+) -> tuple[Cell, ...]:
+    """Return the low end, the mean and the high end of the range between people."""
+    if plain.limb not in PUBLISHED:
+        return (replace(plain, text="A range between people is known on published limbs alone."),)
+    mean, half_db = levels_db.mean(axis=0), half_width_db(levels_db[:, _HAND])
+    ends = {"Low": mean - half_db, "Mean": mean, "High": mean + half_db}
+    scale = scale_of_levels(ends["High"], style)
+    return tuple(
+        replace(
+            plain,
+            headings=(f"{end} {of_whom}", end),
+            small=_map(base, values, noisy),
+            scale=scale,
+        )
+        for end, values in ends.items()
     )
 
 
@@ -456,7 +491,7 @@ class Kind:
 
     fields: ClassVar[frozenset[str]] = frozenset()
     needs: ClassVar[frozenset[str]] = LEVELS
-    choices: ClassVar[tuple[str, ...]] = tuple(name for name, _ in SHOWN.options)
+    choices: ClassVar[tuple[str, ...]] = tuple(name for name, _ in SHOWN.options if name != RANGE)
     own: ClassVar[bool] = False
     moves: ClassVar[bool] = True
 
@@ -522,7 +557,8 @@ class Kind:
         elif shown == "difference":
             maps = of_differences(compared, names, reference, view.span)
         else:
-            maps = of_spread(compared, names, reference, view.span, style)
+            people = shown == RANGE
+            maps = of_spread(compared, names, reference, view.span, style, people=people)
         matched = matched_text(compared) or display_gain_text(design, view)
         return tuple(
             cell if cell.scale is None else replace(cell, scale=with_matched(cell.scale, matched))
@@ -599,6 +635,7 @@ class OfLimbs(Kind):
     """The present design on several limbs; that in the window is predicted once, for all panels."""
 
     fields: ClassVar[frozenset[str]] = frozenset({"shown", "limbs"})
+    choices: ClassVar[tuple[str, ...]] = tuple(name for name, _ in SHOWN.options)
 
     def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
         return settings.chosen(design.limb)

@@ -6,10 +6,11 @@ from typing import Any, ClassVar
 from PySide6 import QtGui, QtWidgets
 
 from skinsource.design import edits
+from skinsource.design.comparing import RANGE_BETWEEN_PEOPLE
 from skinsource.design.design import Design, View
 from skinsource_gui.panels.compare.content import KINDS, Cell, CompareContent, Kind
 from skinsource_gui.panels.compare.motion import Clock, MovingMaps
-from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource_gui.panels.compare.settings import RANGE, CompareSettings
 from skinsource_gui.panels.compare.view import MapsView
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.state.compared import Compared, display_gain_text
@@ -136,11 +137,14 @@ class MapsPanel(Panel):
         else:
             drawn = kind.drawn(compared, design, view, self.settings)
             cells = tuple(cell.in_range(self.held) for cell in drawn)
+        about = [kind.about(compared, design, view)]
+        if kind.shown(self.settings) == RANGE:
+            about.insert(0, RANGE_BETWEEN_PEOPLE[0].upper() + RANGE_BETWEEN_PEOPLE[1:])
         content = CompareContent(
             cells=cells,
             outputs=view.outputs,
             message=message,
-            about=kind.about(compared, design, view) if not self.moves else "",
+            about="" if self.moves else " · ".join(about),
         )
         super().show_stale(self._stale if kind.own else content.stale)
         self.maps.show_content(content)

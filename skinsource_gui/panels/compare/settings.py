@@ -8,8 +8,8 @@ from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource.specs.spec import SwitchSpec, TextSpec
 from skinsource_gui.qt.resources import choice_of
 
-#: Shown in slow motion.
-MOTION = "motion"
+#: Shown in slow motion, and as what to expect of somebody else.
+MOTION, RANGE = "motion", "range"
 OF = choice_of("compared")
 SHOWN = choice_of("shown_of_compared")
 OWN_MAXIMUM = SwitchSpec(label="Own maximum", hint="Draw each map relative to its loudest output")
@@ -31,7 +31,8 @@ class CompareSettings(fields.CheckedModel):
     of
         ``"snapshots"``, ``"limbs"``, ``"axes"``, ``"frequencies"`` or ``"windows"``.
     shown
-        ``"levels"``, ``"difference"``, ``"mean"`` or `MOTION`; of axes the first or last.
+        ``"levels"``, ``"difference"``, ``"mean"``, of limbs `RANGE`, or `MOTION`; of axes the first
+        or last.
     own_maximum
         Whether the levels of each are drawn relative to its own loudest output.
     limbs

@@ -40,7 +40,7 @@ def test_each_figure_is_written_as_picture_and_numbers(name, tmp_path, monkeypat
     text = " ".join(re.findall(r"<text[^>]*>(.*?)</text>", drawing))
     assert known.heading in text
     assert "SYNTHETIC LIMB" in text
-    assert f"Fig. {name.partition('-')[0]}." in text
+    assert f"After {known.source}." in text
     assert ("Inferred: " in text) == bool(known.inferred)
     # What lies between outputs is told below maps and nowhere else.
     if name in SPACED:

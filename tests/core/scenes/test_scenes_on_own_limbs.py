@@ -11,8 +11,8 @@ from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies.figures.writing import draw_figure
 from tests.core.own_limbs.lab_bench import N_INPUTS, installed
 
-#: All but those that compare people.
-APPLYING = [name for name in ss.scenes.names() if name not in ("1G", "2E")]
+#: All of the paper but those that compare people.
+APPLYING = [s.name for s in ss.scenes.all_scenes() if s.of_paper and s.name not in ("1G", "2E")]
 
 
 def reasons(limb):
@@ -25,6 +25,7 @@ def test_all_but_those_that_compare_people_apply_on_a_limb_of_7_by_31_by_2(user_
     assert [name for name, reason in texts.items() if not reason] == APPLYING
     assert texts["1G"] == "It compares 4 people, and this is one limb."
     assert texts["2E"].startswith("It compares 3 people")
+    assert texts["I1"] == "It is about outputs of the published limbs."
     with pytest.raises(InvalidInputError, match=r"1G does not apply on lab-1\. It compares 4"):
         ss.scenes.open_scene("1G", limb="lab-1")
     with pytest.raises(InvalidInputError, match="'lab-9' is not here"):

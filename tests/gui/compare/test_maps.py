@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource import Design, View, evaluate, track
+from skinsource import Design, View, evaluate, people, track
 from skinsource.design.comparing import scale_end_db
 from skinsource.design.design import Snapshot
 from skinsource.design.panel_settings import with_settings
@@ -144,6 +144,13 @@ def test_differences_and_mean_and_spread_are_those_of_the_levels(window, panel, 
     of_whom = "of 4: Synthetic 1, Synthetic 2, Synthetic 3, Synthetic 4"
     assert mean.headings == (f"Mean {of_whom}", "Mean of 4", "Mean")
     assert spread.heading == f"Standard deviation {of_whom}"
+    choose(window, shown="range")
+    cells = shown(panel, qtbot, 3)
+    found = people.levels(window.document.design, window.document.view, limbs=LIMBS)
+    for cell, values in zip(cells, (found.low_db, found.mean_db, found.high_db), strict=True):
+        assert cell.values_db == pytest.approx(values, abs=1e-9)
+    assert [cell.heading for cell in cells] == ["Low of 4", "Mean of 4", "High of 4"]
+    assert panel.maps.content.about.startswith("Range between people: predicted from three")
     choose(window, limbs="synthetic-3 synthetic-1", shown="difference")
     [only] = shown(panel, qtbot, 1)
     # The limb in the window is what the others are compared with, wherever it stands.

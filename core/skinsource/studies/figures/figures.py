@@ -733,9 +733,12 @@ def traces(opened: OpenedScene, *, colours: Sequence[str], own_scale: bool) -> D
     return Drawn(sheet=sheet, tables={"": columns})
 
 
-def axis_spectra(opened: OpenedScene, n_bins: int = 1) -> Drawn:
-    """Draw spectra of the axes of each output, relative to its peak, as means of ``n_bins``."""
-    outputs, axes = opened.view.outputs, axes_of_sensors(opened.design)
+def axis_spectra(opened: OpenedScene, n_bins: int = 1, axes: Sequence[Axes] = ()) -> Drawn:
+    """Draw spectra of the axes of each output, relative to its peak, as means of ``n_bins``.
+
+    ``axes``: all that the sensors have unless given.
+    """
+    outputs, axes = opened.view.outputs, axes or axes_of_sensors(opened.design)
     by_axis, frequency_hz = [], np.zeros(0)
     for axis in axes:
         view = replace(opened.view, axes=axis)
@@ -810,4 +813,9 @@ FIGURES: dict[str, Callable[[OpenedScene], Drawn]] = {
     "5D": output_over_input,
     "5E": straightness,
     "5F": superposition,
+    "I1": _RELATIVE_MAPS,
+    "I2": partial(axis_spectra, axes=("z",)),
+    "I3": partial(traces, colours=_RED_BLUE_BLACK, own_scale=False),
+    "I4": _RELATIVE_MAPS,
+    "I5": _RELATIVE_MAPS,
 }

@@ -22,10 +22,11 @@ from skinsource.base.conventions import Floats, axes_text
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, counted, quoted, sentence
 from skinsource.design.amplitudes import ARBITRARY_UNIT, amplitude_unit
-from skinsource.design.design import Design, View
+from skinsource.design.design import Design, MotionGroup, View
 from skinsource.design.design_file import SUFFIX, DesignFile, open_design
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.edits.setup import change_limb
+from skinsource.design.target import target_in
 from skinsource.engine.evaluation import evaluate
 from skinsource.limbs.catalog import available_limbs
 from skinsource.limbs.dataset.store import NOT_INSTALLED
@@ -34,19 +35,21 @@ from skinsource.limbs.own_limbs import facts_of, own_map
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.wave_speed import arrivals
 from skinsource.studies.checking import straightness, superposition
+from skinsource.studies.scenes.wanted import WANTED, Wanted
 
-#: Source of the figures of all scenes.
-PAPER = "Tummala et al. (2024), SkinSource"
+#: Source of the figures of the paper, and of the scenes that are none.
+PAPER, INVERSE = "Tummala et al. (2024), SkinSource", "SkinSource studio, inverse design"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Scene:
-    """A panel of a figure of the paper that can be computed.
+    """A panel of a figure of the paper that can be computed, or what inverse design does.
 
     Attributes
     ----------
     name
-        Name of the panel: ``"2F"``; of several of one panel with a number: ``"5B-2"``.
+        Name of the panel: ``"2F"``; of several of one panel with a number: ``"5B-2"``; of inverse
+        design: ``"I1"``.
     title
         Title of a few words.
     sentence
@@ -62,6 +65,8 @@ class Scene:
         What the paper measured, beside which the prediction is to be seen; may be empty.
     to_try
         What to try with it.
+    of_paper
+        Whether it is a panel of the paper; else its drives are found on the limb where it opens.
     """
 
     name: str
@@ -73,11 +78,17 @@ class Scene:
     panels: tuple[str, ...] = ("stage",)
     measured: str = ""
     to_try: str = ""
+    of_paper: bool = True
 
     @property
     def source(self) -> str:
-        """Paper and figure."""
-        return f"{PAPER}, Fig. {self.name.partition('-')[0]}"
+        """Paper and figure, or that it is of inverse design."""
+        return f"{PAPER}, Fig. {self.name.partition('-')[0]}" if self.of_paper else INVERSE
+
+    @property
+    def full_title(self) -> str:
+        """Title of its designs, before their labels."""
+        return f"{'Fig.' if self.of_paper else 'Scene'} {self.name}: {self.title}"
 
     @property
     def heading(self) -> str:
@@ -174,6 +185,8 @@ def reason_against(designs: tuple[Design, ...], view: View, limb: str) -> str:
     comparison = dict(dict(view.panels).get("compare", ()))
     if comparison.get("of") == "axes" and len(facts.axes) < 2:
         return f"It compares axes, and this limb measures along {axes_text(facts.axes)} alone."
+    if facts.own and not _places_of(designs):
+        return "It is about outputs of the published limbs."
     n_played, n_mapped = len(_places_of(designs)), len(_mapped_places(facts))
     if n_played > n_mapped:
         return (
@@ -221,7 +234,7 @@ def opened_on(opened: OpenedScene, limb: str) -> OpenedScene:
         return replace(
             changed.design,
             inputs=inputs,
-            title=f"Fig. {scene.name}: {scene.title}{' · ' if label else ''}{label}",
+            title=f"{scene.full_title}{' · ' if label else ''}{label}",
             notes=f"{scene.notes}\n{note}",
         )
 
@@ -321,13 +334,19 @@ _HIGH_HZ = 200.0
 
 
 def told(opened: OpenedScene) -> OpenedScene:
-    """Return a scene whose sentence ends with what is found on its limb, if anything is."""
-    find = FINDINGS.get(opened.scene.name)
+    """Return a scene whose sentence ends with what is found on its limb, if anything is.
+
+    Drives of inverse design are found there, too.
+    """
+    find, finding = FINDINGS.get(opened.scene.name), ""
     try:
-        finding = "" if find is None else find(opened)
+        if not opened.scene.of_paper:
+            opened, finding = _driven(opened)
+        elif find is not None:
+            finding = find(opened)
     except SkinSourceError:
         # The limb is not here: the window says so.
-        finding = ""
+        pass
     if not finding:
         return opened
     scene = replace(opened.scene, sentence=f"{opened.scene.sentence} {finding}")
@@ -336,6 +355,24 @@ def told(opened: OpenedScene) -> OpenedScene:
         return replace(design, notes=design.notes.replace(opened.scene.notes, scene.notes, 1))
 
     return replace(with_designs(opened, changed), scene=scene)
+
+
+def _driven(opened: OpenedScene) -> tuple[OpenedScene, str]:
+    """Return a scene of inverse design with its drives, and a sentence on them."""
+    designs = tuple(each.design for each in opened.conditions)
+    found = _wanted_on(opened.scene.name, tuple(each.limb for each in designs))
+    driven = {
+        design: replace(design, inputs=solved.inputs, motions=solved.motions)
+        for design, solved in zip(designs, found.designs, strict=True)
+    }
+    return with_designs(opened, driven.__getitem__), found.sentence
+
+
+@lru_cache(maxsize=16)
+def _wanted_on(name: str, limbs: tuple[str, ...]) -> Wanted:
+    """Return the designs of a scene of inverse design with their drives, on a limb each."""
+    pairs = zip(_designs_of(path_of(name)), limbs, strict=True)
+    return WANTED[name](tuple(replace(design, limb=limb) for design, limb in pairs))
 
 
 def _at_the_ends(
@@ -484,7 +521,7 @@ def scenes_folder() -> Path:
 
 
 def all_scenes() -> tuple[Scene, ...]:
-    """Return every scene, in the order of the figures.
+    """Return every scene, in the order of the figures; those of inverse design come last.
 
     Examples
     --------
@@ -622,7 +659,7 @@ def _on_limbs(design: Design, limbs: frozenset[str]) -> Design:
     return replace(design, limb=f"synthetic-{number}")
 
 
-_SCENE_TITLE = re.compile(r"Fig\. ([\w-]+): ")
+_SCENE_TITLE = re.compile(r"(?:Fig\.|Scene) ([\w-]+): ")
 _LIMB = re.compile(r", limb \d+$")
 _EDITED = "edited"
 
@@ -646,9 +683,11 @@ def title_of(design: Design) -> str:
     try:
         known = scene(match[1])
         designs = _designs_of(path_of(known.name))
+        if not known.of_paper and target_in(design) is None:
+            designs = _wanted_on(known.name, _limbs_like(designs, design.limb)).designs
     except SkinSourceError:
         return design.title
-    titles = (f"Fig. {known.name}: {title}" for title in (known.title, _LIMB.sub("", known.title)))
+    titles = known.full_title, _LIMB.sub("", known.full_title)
     prefix = next((each for each in titles if f"{design.title} · ".startswith(f"{each} · ")), "")
     if not prefix or _is_as_made(known, designs, design):
         return design.title
@@ -670,6 +709,12 @@ def _is_as_made(known: Scene, designs: tuple[Design, ...], design: Design) -> bo
     return any(_played_content(candidate, moved=moved) == played for candidate in named or designs)
 
 
+def _limbs_like(designs: tuple[Design, ...], limb: str) -> tuple[str, ...]:
+    """Return the limbs of designs of a scene: those of people of this kind, or this one."""
+    people, kind = len({each.limb for each in designs}) > 1, limb.partition("-")[0]
+    return tuple(each.limb.replace("measured", kind) if people else limb for each in designs)
+
+
 def _has_other_unit(design: Design) -> bool:
     """Return whether the title has a strength in a unit other than that of the drive."""
     if amplitude_unit(design) == ARBITRARY_UNIT:
@@ -689,9 +734,17 @@ def _played_content(design: Design, *, moved: bool) -> Design:
     inputs = tuple(
         replace(track, colour=0, location=1 if moved else track.location) for track in design.inputs
     )
-    return Design(
+    played = Design(
         limb="synthetic-1", inputs=inputs, scaling=design.scaling, actuation=design.actuation
     )
+    found = target_in(design)
+    if found is None:
+        return played
+    # Drives of a target are other ones on each limb; what it wants is the same.
+    own = replace(played, inputs=found[1].tracks()) == played
+    wanted = replace(found[1], places=(), drives=(), solved_for="")
+    group = MotionGroup(motion=wanted, clips=())
+    return replace(played, inputs=() if own else inputs, motions=(group,))
 
 
 @lru_cache(maxsize=64)
@@ -719,10 +772,11 @@ def _read(folder: Path) -> dict[str, Any]:
 @lru_cache(maxsize=1)
 def _scenes_in(folder: Path) -> tuple[Scene, ...]:
     scenes = []
-    for entry in _read(folder)["scene"]:
-        fields: dict[str, Any] = {
-            name: tuple(value) if isinstance(value, list) else value
-            for name, value in entry.items()
-        }
-        scenes.append(Scene(**fields))
+    for group in ("scene", "inverse"):
+        for entry in _read(folder)[group]:
+            fields: dict[str, Any] = {
+                name: tuple(value) if isinstance(value, list) else value
+                for name, value in entry.items()
+            }
+            scenes.append(Scene(**fields, of_paper=group == "scene"))
     return tuple(scenes)
