@@ -127,12 +127,13 @@ class Aiming(QObject):
 
     def _follow(self) -> None:
         design = self._document.design
-        if missing_limb(design.limb, design.limb_digest):
-            return
+        is_shown = self._panel is not None and self._panel.isVisible()
         found = target_in(design)
+        if not (found or is_shown) or missing_limb(design.limb, design.limb_digest):
+            return
         if found is not None and is_unsolved(design):
             self._worker.run_newest("solve", partial(_solved, design, found[1]), self._take)
-        elif self._panel is not None and self._panel.isVisible():
+        elif is_shown:
             self._judge(design)
 
     def _take(self, solved: Target | None, error: Exception | None) -> None:

@@ -6,7 +6,7 @@ import scipy
 
 import skinsource as ss
 from skinsource.inverse.drives_in_time import Cost
-from skinsource.inverse.focusing import energy_of
+from skinsource.inverse.focusing import energy_of, loaded
 from skinsource.inverse.responses import gram_of, loading, responses_of
 from tests.core.conftest import refused
 
@@ -41,7 +41,7 @@ ROWS = {
 @pytest.mark.parametrize("beta", BETAS)
 def test_the_response_of_the_target_is_1(noted, kind, beta):
     row, quiet = ROWS[kind]
-    drives, _ = ss.inverse.loaded(row, gram_of(quiet), beta=beta)
+    drives, _ = loaded(row, gram_of(quiet), beta=beta)
     noted("k target", abs((row * drives).sum() - 1.0))
 
 
@@ -49,7 +49,7 @@ def test_the_response_of_the_target_is_1(noted, kind, beta):
 def test_drives_solve_their_equations(noted, beta):
     row, quiet = ROWS["full"]
     gram = gram_of(quiet)
-    drives, _ = ss.inverse.loaded(row, gram, beta=beta)
+    drives, _ = loaded(row, gram, beta=beta)
     x = (gram[0] + beta * loading(gram)[0] * np.eye(6)) @ drives[0]
     noted("k equations", error(x / x[0], row[0].conj() / row[0, 0].conj()))
 
@@ -58,27 +58,27 @@ def test_dead_inputs_are_still_and_the_same_ones_share(noted):
     row, quiet = ROWS["full"]
     for beta in BETAS:
         dead = [np.concatenate([each, 0.0 * each[..., :2]], axis=-1) for each in (row, quiet)]
-        drives, _ = ss.inverse.loaded(dead[0], gram_of(dead[1]), beta=beta)
+        drives, _ = loaded(dead[0], gram_of(dead[1]), beta=beta)
         noted("k dead", np.abs(drives[0, 6:]).max() / np.abs(drives).max())
     for beta in (0.01, 0.3):
         twice = [np.concatenate([each, each[..., :2]], axis=-1) for each in (row, quiet)]
-        drives, _ = ss.inverse.loaded(twice[0], gram_of(twice[1]), beta=beta)
+        drives, _ = loaded(twice[0], gram_of(twice[1]), beta=beta)
         noted("k same", np.abs(drives[0, :2] - drives[0, 6:]).max() / np.abs(drives).max())
 
 
 @pytest.mark.parametrize("power", [-400, -100, 100, 400])
 def test_sizes_of_responses_do_not_matter(noted, power):
     row, quiet = ROWS["full"]
-    drives, _ = ss.inverse.loaded(row, gram_of(quiet))
+    drives, _ = loaded(row, gram_of(quiet))
     size = 2.0**power
-    scaled, _ = ss.inverse.loaded(size * row, gram_of(size * quiet))
+    scaled, _ = loaded(size * row, gram_of(size * quiet))
     noted("k sizes", error(size * scaled, drives))
 
 
 @pytest.mark.parametrize("most_db", [0.01, 0.1])
 def test_a_bound_of_effort_is_spent(noted, most_db):
     row, quiet = drawn(6, 100, 6), drawn(7, 100, 8, 6)
-    drives, _ = ss.inverse.loaded(row, gram_of(quiet), effort_db=most_db)
+    drives, _ = loaded(row, gram_of(quiet), effort_db=most_db)
     energies = [np.square(np.abs(each)).sum(axis=1) for each in (drives, row)]
     noted("k effort", np.abs(10 * np.log10(np.prod(energies, axis=0)) - most_db).max())
 
@@ -141,7 +141,7 @@ def test_what_has_no_answer_is_refused(noted, limb, limb_of):
     still += refused(lambda: ss.inverse.reproduce(deaf, {30: np.ones(9)}), "does not respond")
     still += refused(lambda: ss.inverse.place(deaf, [30], 2), "does not respond")
     nothing = np.zeros((1, 2)), np.eye(2)[None]
-    still += refused(lambda: ss.inverse.loaded(*nothing), "does not respond")
+    still += refused(lambda: loaded(*nothing), "does not respond")
     still += refused(lambda: ss.inverse.focus(limb, 30, quiet=[30]), "strong and quiet")
     still += refused(lambda: ss.inverse.reproduce(limb, {30: [np.inf]}), "wanted", "finite")
     noted("k refused", still)

@@ -2,7 +2,6 @@ from . import aiming as aiming
 from .focusing import Focus as Focus
 from .focusing import best_single as best_single
 from .focusing import focus as focus
-from .focusing import loaded as loaded
 from .focusing import paint as paint
 from .focusing import quietest as quietest
 from .focusing import time_reversal as time_reversal

@@ -521,7 +521,6 @@ class Wish:
         return -power_db(ratio.mean(axis=1), np.ones(len(ratio)))
 
 
-@checking
 def loaded(
     row: Complexes, gram: Complexes, *, beta: float = 0.3, effort_db: float | None = None
 ) -> tuple[Complexes, Floats]:

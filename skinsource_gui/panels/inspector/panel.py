@@ -40,6 +40,7 @@ from skinsource.design.edits.edit import (
     kind_spec,
     leading_input,
 )
+from skinsource.design.edits.effects import values_of
 from skinsource.design.edits.view import change_texts
 from skinsource.design.labels import SCALINGS, scalings_on
 from skinsource.design.signal_path import UnplayableInput
@@ -348,11 +349,11 @@ class InputFields(QObject):
 
 def _values(track: Input, clip: Clip | None) -> dict[str, object]:
     """Return the value of each cell for an input and its clip, by name."""
-    own = {name: edits.value_of(track, name, clip) for name in edits.fields_of(track, clip)}
     kind = "" if clip is None else kind_name(clip.waveform)
     # Also a length that is no field of its kind differs from others.
     length_s = None if clip is None else clip.waveform.duration_s
-    return {**own, DURATION_FIELD: length_s, "kind": kind, "location": str(track.location)}
+    place = str(track.location)
+    return values_of(track, clip) | {DURATION_FIELD: length_s, "kind": kind, "location": place}
 
 
 def _text_of_all(text_of: Callable[[Any], str], things: Iterable[Any]) -> str:

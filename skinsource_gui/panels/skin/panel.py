@@ -108,7 +108,7 @@ class SkinPanel(Panel):
         self._results: Mapping[str, Any] = {}
         self._compared: tuple[Compared, ...] = ()
         self._noisy: tuple[int, ...] = ()
-        self._problem, self._covered = "", False
+        self._problem, self._covered, self._brush = "", False, ""
         # The part of the response for which signals were requested last.
         self._block = 0
         self.content = MapContent()
@@ -173,7 +173,8 @@ class SkinPanel(Panel):
             self.reset_range()
         if not view.snapshots:
             self._compared = ()
-        self.map.show_brush(bool(brush_of(view)))
+        self._brush = brush_of(view)
+        self.map.show_brush(bool(self._brush))
         shown = view, facts_of(design.limb), marks_of(design, view), painted_in(design, view)
         if shown != self._shown or self.moves:
             self._shown = shown
@@ -288,8 +289,8 @@ class SkinPanel(Panel):
 
     def _show_readout(self, text: str) -> None:
         hint, whole, level = selection_hint(self.content.outputs), text, ""
-        if not text and (brush := brush_of(self._view)):
-            text = whole = brush_hint(brush)
+        if not text and self._brush:
+            text = whole = brush_hint(self._brush)
         elif not text:
             strongest, value, level = strongest_readout(self.content)
             text, whole = strongest or hint, f"{value}\n{hint}".strip()
@@ -339,8 +340,8 @@ class SkinPanel(Panel):
 
     def _paint(self, outputs: tuple[int, ...], gesture: int) -> None:
         if self._design is not None:
-            brush = brush_of(self._view)
-            self.edited.emit(edits.paint_target(self._design, self._view, outputs, brush), gesture)
+            painted = edits.paint_target(self._design, self._view, outputs, self._brush)
+            self.edited.emit(painted, gesture)
 
     def _remove_inputs(self, outputs_selected: bool) -> None:
         """Remove those that are selected; where none is, or outputs are meant, say so."""

@@ -145,14 +145,15 @@ class TracesPanel(SignalPanel):
     def _draw(self, results: Mapping[str, Any]) -> None:
         relative = self.settings.relative
         scale = _peaks(results["selected_traces"]) if relative else None
+        heading = heading_of(results)
         curves = Curves(
             x=results["response_time_s"],
             y=results["selected_traces"] if scale is None else results["selected_traces"] / scale,
             kind="amplitude" if scale is None else "relative",
             names=output_names(results["outputs"], results["limb"]),
             about=lazy_lines(results),
-            heading=heading_of(results),
-            scaling=heading_of(results)[1:],
+            heading=heading,
+            scaling=heading[1:],
             matched=match_text(results["match_gain"]),
             peaks=() if scale is None else tuple(_largest(results["selected_traces"]).tolist()),
             wave=_wave(results, scale),

@@ -5,7 +5,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.focusing import energy_of, target_row
+from skinsource.inverse.focusing import energy_of, loaded, target_row
 from skinsource.inverse.responses import gram_of, loading, responses_of
 
 AT_HZ = [60.0, 100.0, 250.0]
@@ -154,15 +154,15 @@ def test_unseen_contrast_is_that_of_designs_without_each_output(limb, axes):
 
 def test_stronger_responses_need_less_drive(rows):
     row, gram = rows[0], gram_of(rows[1])
-    drives, _ = ss.inverse.loaded(row, gram)
-    louder, _ = ss.inverse.loaded(1e3 * row, 1e6 * gram)
+    drives, _ = loaded(row, gram)
+    louder, _ = loaded(1e3 * row, 1e6 * gram)
     np.testing.assert_allclose(1e3 * louder, drives, rtol=1e-10)
 
 
 def test_the_phase_of_the_target_is_that_of_the_drives(rows):
     row, gram = rows[0], gram_of(rows[1])
-    drives, _ = ss.inverse.loaded(row, gram)
-    turned, _ = ss.inverse.loaded(1j * row, gram)
+    drives, _ = loaded(row, gram)
+    turned, _ = loaded(1j * row, gram)
     np.testing.assert_allclose(1j * turned, drives, rtol=1e-10)
 
 
@@ -171,8 +171,8 @@ def test_gains_of_inputs_leave_the_field_only_where_drives_cost_nothing(rows):
 
     def change(beta):
         row, gram = rows[0], gram_of(rows[1])
-        drives, _ = ss.inverse.loaded(row, gram, beta=beta)
-        other, _ = ss.inverse.loaded(row * gains, gram * gains * gains[:, None], beta=beta)
+        drives, _ = loaded(row, gram, beta=beta)
+        other, _ = loaded(row * gains, gram * gains * gains[:, None], beta=beta)
         return np.abs(gains * other - drives).max() / np.abs(drives).max()
 
     assert change(1e-6) < 0.05
@@ -189,13 +189,13 @@ def test_inputs_in_another_order_get_the_same_drives(limb):
 def test_a_dead_input_is_as_one_removed_and_the_same_one_twice_shares(rows):
     row, quiet = rows
     # The same λ: the mean diagonal falls with the number of inputs.
-    alone, _ = ss.inverse.loaded(row, gram_of(quiet), beta=0.3)
+    alone, _ = loaded(row, gram_of(quiet), beta=0.3)
     with_dead = [np.concatenate([each, 0.0 * each[..., :1]], axis=-1) for each in rows]
-    dead, _ = ss.inverse.loaded(with_dead[0], gram_of(with_dead[1]), beta=0.3 * 16 / 15)
+    dead, _ = loaded(with_dead[0], gram_of(with_dead[1]), beta=0.3 * 16 / 15)
     np.testing.assert_allclose(dead[:, :15], alone, rtol=1e-9)
     assert (dead[:, 15] == 0.0).all()
     twice = [np.concatenate([each, each[..., :1]], axis=-1) for each in rows]
-    shared, _ = ss.inverse.loaded(twice[0], gram_of(twice[1]), beta=0.01)
+    shared, _ = loaded(twice[0], gram_of(twice[1]), beta=0.01)
     np.testing.assert_allclose(shared[:, 0], shared[:, 15], rtol=1e-9)
 
 
@@ -212,13 +212,13 @@ def test_one_quiet_place_costs_almost_nothing(limb):
 
 
 def test_nothing_quiet_is_time_reversal(rows):
-    drives, _ = ss.inverse.loaded(rows[0], np.zeros((3, 15, 15)))
+    drives, _ = loaded(rows[0], np.zeros((3, 15, 15)))
     assert parallel(drives, rows[0].conj()) < 1e-14
 
 
 def test_a_row_that_is_0_is_refused():
     with pytest.raises(InvalidInputError, match="does not respond"):
-        ss.inverse.loaded(np.zeros((1, 2)), np.eye(2)[None])
+        loaded(np.zeros((1, 2)), np.eye(2)[None])
 
 
 def noisy_limb(limb_of, gain):

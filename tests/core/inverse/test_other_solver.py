@@ -6,7 +6,7 @@ import scipy
 
 import skinsource as ss
 from skinsource.inverse.drives_in_time import Cost
-from skinsource.inverse.focusing import energy_of
+from skinsource.inverse.focusing import energy_of, loaded
 from skinsource.inverse.responses import gram_of, loading, responses_of
 
 cvxpy = pytest.importorskip("cvxpy", reason="cvxpy is not installed")
@@ -33,7 +33,7 @@ def test_it_finds_the_same_focus(seed):
     cost = cvxpy.sum_squares(rows[0] @ drives) + load * cvxpy.sum_squares(drives)
     problem = cvxpy.Problem(cvxpy.Minimize(cost), [row[0] @ drives == 1])
     problem.solve(solver=cvxpy.CLARABEL)
-    found = ss.inverse.loaded(row, gram, beta=beta)[0][0]
+    found = loaded(row, gram, beta=beta)[0][0]
     own = np.sum(np.abs(rows[0] @ found) ** 2) + load * np.sum(np.abs(found) ** 2)
     assert db(own, problem.value) < 1e-3
 

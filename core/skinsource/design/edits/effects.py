@@ -484,10 +484,18 @@ def value_of(one: Input, name: str, clip: Clip | None = None) -> Any:
     >>> print(value)
     100.0
     """
+    values = values_of(one, clip)
+    return values[one_of("name", name, tuple(values))]
+
+
+def values_of(one: Input, clip: Clip | None = None) -> dict[str, Any]:
+    """Return the value of each of `fields_of`, by name."""
     clip = clip or next(iter(one.clips), None)
-    one_of("name", name, tuple(fields_of(one, clip)))
-    holder: Any = one if name in _OF_TRACK else clip
-    return getattr(holder if name in _OF_TRACK | _OF_CLIP else holder.waveform, name)
+    values: dict[str, Any] = {}
+    for name in fields_of(one, clip):
+        holder: Any = one if name in _OF_TRACK else clip
+        values[name] = getattr(holder if name in _OF_TRACK | _OF_CLIP else holder.waveform, name)
+    return values
 
 
 # An input, or one of its clips, whose field is set.
