@@ -1,15 +1,5 @@
 """Calibrating a person: sweeps of all actuators, and a sensor at one place of the skin."""
 
-from skinsource.lab.calibrating.calibration import Calibration, Measured, Sitting, calibrate
-from skinsource.lab.calibrating.stand_in import StandIn
-from skinsource.lab.calibrating.station import CardStation, Station
+import lazy_loader
 
-__all__ = [
-    "Calibration",
-    "CardStation",
-    "Measured",
-    "Sitting",
-    "StandIn",
-    "Station",
-    "calibrate",
-]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -92,9 +92,9 @@ SWEEP_S, REST_S = 2.4, 0.6
 # Between them responses are whole; at the ends of the sweep they are 0.
 _WHOLE_HZ: Band = (25.0, 600.0)
 _PERIOD_S = SWEEP_S + REST_S
-# Silence before and after the sweeps.
-_BEFORE_S, _AFTER_S = SETTLING_S, 0.5
-_TAKE_S = _BEFORE_S + 2 * _PERIOD_S + _AFTER_S
+#: Silence before and after what is played.
+BEFORE_S, AFTER_S = SETTLING_S, 0.5
+_TAKE_S = BEFORE_S + 2 * _PERIOD_S + AFTER_S
 #: What is accepted.
 LEAST_COHERENCE, LEAST_SHARE = 0.9, 0.8
 MOST_DB, MOST_DEG, MOST_APART_S = 1.0, 10.0, 1e-4
@@ -273,7 +273,7 @@ def calibrate(
     places = sitting.inputs or tuple(channel.place for channel in station.rig.channels)
     sweeps = {place: _Sweep.of(sitting, station, place) for place in places}
     ahead = [place for place in places if place not in known]
-    total = _samples(NOISE_S, station) + (len(ahead) + 1) * _samples(_TAKE_S, station)
+    total = samples_in(NOISE_S, station) + (len(ahead) + 1) * samples_in(_TAKE_S, station)
     done = 0
 
     def record(channel: RigChannel, samples: Floats, text: str) -> Floats:
@@ -290,7 +290,7 @@ def calibrate(
         done += samples.size
         return recorded * station.setup.m_per_s2_at_full_scale
 
-    silence = np.zeros(_samples(NOISE_S, station))
+    silence = np.zeros(samples_in(NOISE_S, station))
     noise = record(sweeps[places[0]].channel, silence, "Silence")
     for place in ahead:
         sweep = sweeps[place]
@@ -316,7 +316,8 @@ def calibrate(
     )
 
 
-def _samples(seconds: float, station: Station) -> int:
+def samples_in(seconds: float, station: Station) -> int:
+    """Return how many samples of a station last so long."""
     return round(seconds * station.sample_rate_hz)
 
 
@@ -349,7 +350,7 @@ class _Sweep:
                 f"Place {place} has no measured response, so its motion is not known. Measure its "
                 "channel, or leave it out."
             )
-        sweep = np.zeros(_samples(_PERIOD_S, station))
+        sweep = np.zeros(samples_in(_PERIOD_S, station))
         chirp = exponential_sweep(SWEPT_HZ, SWEEP_S, rate_hz)
         sweep[: chirp.size] = sitting.speed_m_per_s * chirp
         hz = np.arange(sweep.size // 2 + 1) / _PERIOD_S
@@ -357,8 +358,8 @@ class _Sweep:
         driven = np.zeros_like(moves)
         # The target is 0 at 0 Hz, where nothing moves.
         driven[1:] = moves[1:] / (volts * channel.measured.response(hz[1:]))
-        samples = np.zeros(_samples(_TAKE_S, station))
-        first = _samples(_BEFORE_S, station)
+        samples = np.zeros(samples_in(_TAKE_S, station))
+        first = samples_in(BEFORE_S, station)
         samples[first : first + 2 * sweep.size] = np.tile(scipy.fft.irfft(driven, sweep.size), 2)
         margin = highest_gain(rig, [place], samples[None], rate_hz)
         peak = float(np.abs(samples).max())
@@ -377,8 +378,8 @@ class _Sweep:
         """Return what the input did, and when its response begins unless a latency is known."""
         sitting, station = self.sitting, self.station
         whole = limb_of(sitting.like)
-        n = _samples(_PERIOD_S, station)
-        parts = recorded[_samples(_BEFORE_S, station) :][: 2 * n].reshape(2, n)
+        n = samples_in(_PERIOD_S, station)
+        parts = recorded[samples_in(BEFORE_S, station) :][: 2 * n].reshape(2, n)
         # Up to half the limb's sample rate, and in the same steps.
         n_taps = round(_PERIOD_S * whole.sample_rate_hz)
         hz = np.arange(n_taps // 2) / _PERIOD_S
@@ -396,7 +397,7 @@ class _Sweep:
         answers[:, : hz.size] *= np.exp(-2j * np.pi * hz * later_s)
         both = scipy.fft.irfft(answers, n_taps)[:, : whole.n_taps]
         coherent = _coherent_share(both, whole, sitting.band_hz)
-        delay_s = lag_of(*both, _MOST_LAG) / whole.sample_rate_hz
+        delay_s = lag_of(both[0], both[1], _MOST_LAG) / whole.sample_rate_hz
         peak = float(np.abs(recorded).max() / station.setup.m_per_s2_at_full_scale)
         failures = []
         if peak >= CLIPPED:

@@ -111,7 +111,8 @@ class StandIn:
             )
             for number, place in enumerate(self.inputs, start=1)
         )
-        return Rig(title="Stand-in person", channels=channels)
+        note = f"Computed from a synthetic limb, seed {self.seed}: nobody was measured."
+        return Rig(title="Stand-in person", note=note, channels=channels)
 
     @property
     def setup(self) -> MeasuringSetup:
