@@ -300,11 +300,13 @@ def calibrate(
             latency_s = begins_s
         known[place] = measured
         heard(measured)
-    moved, accepted = "", [known[place] for place in places if not known[place].failures]
+    # What was accepted before says whether all is still as it was then.
+    moved, accepted = "", [row for row in known.values() if not row.failures]
     if accepted:
-        sweep = sweeps[accepted[0].place]
-        recorded = record(sweep.channel, sweep.samples, f"Place {accepted[0].place} again")
-        moved = _change(sitting, accepted[0], sweep.measured(recorded, latency_s)[0])
+        first = accepted[0]
+        sweep = sweeps[first.place]
+        recorded = record(sweep.channel, sweep.samples, f"Place {first.place} again")
+        moved = _change(sitting, first, sweep.measured(recorded, latency_s)[0])
     return Calibration(
         sitting=sitting,
         rows=tuple(known[place] for place in places),

@@ -18,7 +18,6 @@ import numpy as np
 from skinsource.base.arguments import checking
 from skinsource.base.errors import MissingExtraError
 from skinsource.base.files import FilePath, make_folder, write_bytes
-from skinsource.design.design_file import save_design
 from skinsource.engine.stimulus import stimulus_of
 from skinsource.export import plot
 from skinsource.export.exported_design import versions
@@ -37,7 +36,7 @@ def save_report(folder: FilePath, verification: Verification) -> dict[str, Any]:
     """Write all about a calibrated person into a folder, and return what ``report.json`` says.
 
     Beside it lie ``report.pdf`` (with the extra ``plot``), the partial limb ``person.h5``, and of
-    all that was played the design and the sound, with a sidecar.  What was not measured yet is
+    all that was played the sound, with a sidecar.  What was not measured yet is
     missing: the report then says "not verified".
 
     Raises
@@ -51,7 +50,6 @@ def save_report(folder: FilePath, verification: Verification) -> dict[str, Any]:
     save_partial(place / "person.h5", found.partial)
     for name, design in verification.designs.items():
         path = place / f"{name.replace(' ', '-')}.wav"
-        save_design(path.with_suffix(".skinsource"), design)
         export_stimulus(design, path, rig=found.rig, confirmed=True)
     files = sorted(path for path in place.iterdir() if not path.name.startswith("report."))
     about = _about(verification) | {
@@ -66,7 +64,6 @@ def save_report(folder: FilePath, verification: Verification) -> dict[str, Any]:
 
 def _about(verification: Verification) -> dict[str, Any]:
     found, focus = verification.found, verification.focus
-    channels = {channel.place: channel for channel in found.rig.channels}
     designs = {}
     for name, design in verification.designs.items():
         sent = stimulus_of(design)
@@ -87,16 +84,7 @@ def _about(verification: Verification) -> dict[str, Any]:
         "noise_m_per_s2": found.noise_m_per_s2,
         "latency_s": found.latency_s,
         "inputs": [
-            {
-                "place": row.place,
-                "failures": row.failures,
-                "coherent_share": row.coherent,
-                "delay_s": row.delay_s,
-                "peak_of_full_scale": row.peak,
-                "actuator": channels[row.place].actuator,
-                "device": f"{channels[row.place].device} {channels[row.place].output}",
-                "response_measured_on": channels[row.place].measured_on,
-            }
+            {name: value for name, value in vars(row).items() if name != "response"}
             for row in found.rows
         ],
         "sha256_of_partial_limb": digest_of(found.partial),

@@ -25,12 +25,12 @@ from skinsource.limbs.scaling import pulse_spectrum
 from skinsource.limbs.synthetic import synthetic_person
 
 #: What may go wrong at a place, once: the sensor's input clips; the actuator has come off; samples
-#: are lost; the sensor slips to the next place, and stays there.
+#: are lost; the sensor slips by 20 mm or a little more, and stays there.
 Fault = Literal["clips", "off", "late", "moves"]
 _ACTUATOR, _FULL_SCALE_V = "example-voice-coil", 4.0
 _MEASURED_HZ = np.geomspace(10.0, 1000.0, 240)
 #: From a sample to its recording, without actuator and skin; samples lost when it is late.
-_LATENCY_S, _LOST_S = 0.0123, 0.002
+_LATENCY_S, _LOST_S, _SLIP_MM = 0.0123, 0.002, 20.0
 
 
 @dataclass(kw_only=True, eq=False)
@@ -131,12 +131,12 @@ class StandIn:
         moved = np.zeros(n_seconds * rate_hz // 2 + 1, complex)
         fault: Fault | None = None
         for channel in self.rig.channels:
-            if not mix.plays_on(channel.output):
+            if not (mix.plays_on(channel.output) and mix.samples[channel.output - 1].any()):
                 continue
             fault = self._ahead.pop(channel.place, fault)
             if fault == "moves":
                 away = np.hypot(*(limb.output_positions_mm - self._place_mm).T)
-                self.output = int(np.nanargmin(np.where(away > 0.0, away, np.nan))) + 1
+                self.output = int(np.nanargmin(np.where(away < _SLIP_MM, np.nan, away))) + 1
             gain, late_s = self.errors[channel.place]
             late_s += _LATENCY_S - limb.pre_trigger_delay_s
             played = scipy.fft.rfft(mix.samples[channel.output - 1], n_seconds * rate_hz)
