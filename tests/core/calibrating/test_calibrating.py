@@ -77,6 +77,17 @@ def test_noise_that_is_accepted_costs_little(calibrated):
     assert min(row.coherent for row in found.rows) < 1.0
 
 
+def test_a_delay_that_the_rig_knows_of_is_no_part_of_the_row(calibrated):
+    station = stand_in()
+    first, *rest = station.rig.channels
+    station.__dict__["rig"] = ss.rigs.Rig(channels=(replace(first, delay_s=0.003), *rest))
+    gain, late_s = station.errors[8]
+    station.errors[8] = gain, late_s + 0.003
+    found = calibrate(SITTING, station)
+    for row, known in zip(found.rows, calibrated[0].rows, strict=True):
+        np.testing.assert_allclose(row.response, known.response, atol=0.003)
+
+
 def test_the_same_seed_gives_the_same_numbers(calibrated):
     again, other = (calibrate(SITTING, stand_in(seed=seed)) for seed in (0, 1))
     assert digest_of(again.partial) == digest_of(calibrated[0].partial)

@@ -59,7 +59,8 @@ class Sitting:
     person
         Code of the person.
     like
-        Name of the limb whose places, axes, sample rate, drive and delay the result has.
+        Name of the published or synthetic limb whose places, axes, sample rate, drive and delay
+        the result has.
     output
         Where the sensor lies, from 1.
     inputs
@@ -276,26 +277,24 @@ def calibrate(
     total = samples_in(NOISE_S, station) + (len(ahead) + 1) * samples_in(_TAKE_S, station)
     done = 0
 
-    def record(channel: RigChannel, samples: Floats, text: str) -> Floats:
+    def record(place: int, samples: Floats, text: str) -> Floats:
         nonlocal done
-        before_it = done
+        began, number = done, sweeps[place].channel.output
+        done += samples.size
         mix = mix_of(
             samples[None],
             station.sample_rate_hz,
-            outputs=[channel.output],
+            outputs=[number],
             titles=[text],
-            n_outputs=channel.output,
+            n_outputs=number,
         )
-        recorded = station.record(mix, stop, lambda n: progress(before_it + n, total, text))
-        done += samples.size
+        recorded = station.record(mix, stop, lambda n: progress(began + n, total, text))
         return recorded * station.setup.m_per_s2_at_full_scale
 
-    silence = np.zeros(samples_in(NOISE_S, station))
-    noise = record(sweeps[places[0]].channel, silence, "Silence")
+    noise = record(places[0], np.zeros(samples_in(NOISE_S, station)), "Silence")
     for place in ahead:
-        sweep = sweeps[place]
-        recorded = record(sweep.channel, sweep.samples, f"Place {place}")
-        measured, begins_s = sweep.measured(recorded, latency_s)
+        recorded = record(place, sweeps[place].samples, f"Place {place}")
+        measured, begins_s = sweeps[place].measured(recorded, latency_s)
         if not measured.failures:
             latency_s = begins_s
         known[place] = measured
@@ -305,7 +304,7 @@ def calibrate(
     if accepted:
         first = accepted[0]
         sweep = sweeps[first.place]
-        recorded = record(sweep.channel, sweep.samples, f"Place {first.place} again")
+        recorded = record(first.place, sweep.samples, f"Place {first.place} again")
         moved = _change(sitting, first, sweep.measured(recorded, latency_s)[0])
     return Calibration(
         sitting=sitting,
@@ -382,21 +381,18 @@ class _Sweep:
         whole = limb_of(sitting.like)
         n = samples_in(_PERIOD_S, station)
         parts = recorded[samples_in(BEFORE_S, station) :][: 2 * n].reshape(2, n)
-        # Up to half the limb's sample rate, and in the same steps.
+        # Bins of one period at the limb's sample rate, of which only those swept are not 0.
         n_taps = round(_PERIOD_S * whole.sample_rate_hz)
-        hz = np.arange(n_taps // 2) / _PERIOD_S
+        swept = slice(*(round(hz * _PERIOD_S) for hz in SWEPT_HZ))
+        hz = np.arange(swept.start, swept.stop) / _PERIOD_S
         shape = np.interp(hz, [SWEPT_HZ[0], *_WHOLE_HZ, SWEPT_HZ[1]], [0.0, 1.0, 1.0, 0.0])
-        used = shape > 0.0
+        pulse = np.sin(0.5 * np.pi * shape) ** 2 * pulse_spectrum(hz, whole.sample_rate_hz)
         answers = np.zeros((2, n_taps // 2 + 1), complex)
-        answers[:, : hz.size][:, used] = (
-            (scipy.fft.rfft(parts)[:, : hz.size] * np.sin(0.5 * np.pi * shape) ** 2)[:, used]
-            * pulse_spectrum(hz[used], whole.sample_rate_hz)
-            / self.moves[: hz.size][used]
-        )
+        answers[:, swept] = scipy.fft.rfft(parts)[:, swept] * pulse / self.moves[swept]
         if latency_s is None:
             latency_s = _begins(scipy.fft.irfft(answers.mean(axis=0), n_taps), whole)
         later_s = whole.pre_trigger_delay_s - latency_s
-        answers[:, : hz.size] *= np.exp(-2j * np.pi * hz * later_s)
+        answers[:, swept] *= np.exp(-2j * np.pi * hz * later_s)
         both = scipy.fft.irfft(answers, n_taps)[:, : whole.n_taps]
         coherent = _coherent_share(both, whole, sitting.band_hz)
         delay_s = lag_of(both[0], both[1], _MOST_LAG) / whole.sample_rate_hz

@@ -9,8 +9,9 @@ import hashlib
 import json
 from contextlib import suppress
 from dataclasses import asdict
+from math import isnan
 from pathlib import Path
-from textwrap import wrap
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -22,13 +23,17 @@ from skinsource.engine.stimulus import stimulus_of
 from skinsource.export import plot
 from skinsource.export.exported_design import versions
 from skinsource.export.stimulus_export.export import export_stimulus
+from skinsource.export.wiring import draw_table
 from skinsource.lab.calibrating.calibration import RULES, SWEEP_S, SWEPT_HZ
-from skinsource.lab.calibrating.verification import Verification
+from skinsource.lab.calibrating.verification import Check, Verification
 from skinsource.people.partial_file import digest_of, save_partial
 from skinsource.perception.validity import fastest_probe
 
 _LEVELS = "RMS along z over the loudest 100 ms, dB re 1 m/s²"
-_LETTERS = 118
+_LETTERS = 115
+_NOTED = "contact", "mounting", "sensor", "posture"
+_LEVEL_COLUMNS = "Output", "Played", "Measured", "Predicted", "Range", "NMSE, dB", "Delay, ms"
+_INPUT_COLUMNS = "Place", "Coherent", "Accepted"
 
 
 @checking
@@ -58,7 +63,7 @@ def save_report(folder: FilePath, verification: Verification) -> dict[str, Any]:
     text = json.dumps(about, ensure_ascii=False, indent=2, allow_nan=False)
     write_bytes(place / "report.json", f"{text}\n".encode())
     with suppress(MissingExtraError):
-        write_bytes(place / "report.pdf", plot.figure_content(_page(about), "pdf"))
+        write_bytes(place / "report.pdf", plot.figure_content(_page(about, verification), "pdf"))
     return about
 
 
@@ -107,30 +112,47 @@ def _known(values: dict[str, Any]) -> dict[str, Any]:
     return {name: None if value != value else value for name, value in values.items()}
 
 
-def _page(about: dict[str, Any]) -> Any:
+def _page(about: dict[str, Any], verification: Verification) -> Any:
     """Return a page that says the same."""
-    title, lines = about["what"], []
-    for name, value in about.items():
-        rows = value if isinstance(value, list) else [value]
-        for row in rows:
-            text = f"{name.replace('_', ' ')}: {_words(row)}"
-            lines += wrap(text, _LETTERS, subsequent_indent="    ")
+    sitting, focus = verification.found.sitting, about["focus"]
+    left_out = [f"place {row.place}" for row in verification.found.rows if row.failures]
+    sentences = (
+        f"Measured on {about['measured_on']} with {about['rig']}",
+        f"Noise of the sensor: {about['noise_m_per_s2']:.2g} m/s² RMS.",
+        *(f"{name.capitalize()}: {getattr(sitting, name) or 'not noted'}." for name in _NOTED),
+        f"Each input swept twice from {SWEPT_HZ[0]:g} to {SWEPT_HZ[1]:g} Hz in {SWEEP_S:g} s, at "
+        f"{1e3 * sitting.speed_m_per_s:g} mm/s.",
+        f"An input is left out unless {'; '.join(RULES)}. Left out: "
+        f"{', '.join(left_out) or 'none'}.",
+        f"Solved from {focus['band_hz'][0]:.0f} to {focus['band_hz'][1]:.0f} Hz, beta "
+        f"{focus['beta']:g}, effort {focus['median_effort_db']:.1f} dB (median). Quiet places are "
+        f"those of {', '.join(focus['other_people'])}.",
+        f"Levels are {_LEVELS}. Away from the target the mean of other people is predicted, and "
+        "the range between them.",
+        f"Partial limb: SHA-256 {about['sha256_of_partial_limb']}. "
+        f"{', '.join(f'{name} {version}' for name, version in about['versions'].items())}.",
+    )
+    text = "\n".join(fill(sentence, _LETTERS) for sentence in sentences)
     with plot.style():
         figure = plot.new_figure(210.0, 297.0)
+        title = f"Output {sitting.output} of {sitting.person}: {about['state']}"
         figure.text(0.08, 0.97, title, fontsize=12, va="top", parse_math=False)
-        size = min(6.5, 600.0 / len(lines))
-        text = "\n".join(lines[1:])
-        figure.text(
-            0.08, 0.945, text, fontsize=size, va="top", family="monospace", parse_math=False
-        )
+        figure.text(0.08, 0.94, text, fontsize=8, va="top", parse_math=False)
+        inputs = [
+            (f"{row.place}", f"{100 * row.coherent:.0f} %", " ".join(row.failures) or "accepted")
+            for row in verification.found.rows
+        ]
+        draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.46)), _INPUT_COLUMNS, inputs)
+        if verification.checks:
+            levels = [_level_row(check) for check in verification.checks]
+            draw_table(figure.add_axes((0.08, 0.52, 0.84, 0.2)), _LEVEL_COLUMNS, levels)
     return figure
 
 
-def _words(value: Any) -> str:
-    """Return a value as words, numbers with their first four digits."""
-    if isinstance(value, dict):
-        known = {name: each for name, each in value.items() if each not in (None, "", ())}
-        return ", ".join(f"{name.replace('_', ' ')} {_words(each)}" for name, each in known.items())
-    if isinstance(value, tuple):
-        return "; ".join(map(_words, value))
-    return f"{value:.4g}" if isinstance(value, float) else f"{value}"
+def _level_row(check: Check) -> tuple[str, ...]:
+    levels = f"{check.measured_db:z.1f}", f"{check.predicted_db:z.1f}"
+    rest = f"{check.low_db:.1f} to {check.high_db:.1f}", "", ""
+    if isnan(check.low_db):
+        rest = "", f"{check.nmse_db:.1f}", f"{1e3 * check.delay_s:z.2f}"
+    numbers = (text.replace("-", "\u2212") for text in (*levels, *rest))
+    return f"{check.output}", check.played, *numbers

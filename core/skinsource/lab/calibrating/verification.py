@@ -16,10 +16,10 @@ import scipy
 
 from skinsource.actuators.equalising import RegularisedInverse, target
 from skinsource.actuators.measuring import lag_of
+from skinsource.actuators.rigs import wired_channel
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.design.design import Design, View
 from skinsource.design.signal_path import actuation_of_rig
@@ -197,18 +197,24 @@ def verify_next(
 ) -> Verification:
     """Play all designs while the sensor is at `Verification.next_output`, and add the checks.
 
+    Parameters
+    ----------
+    verification
+        Not all is done.
+    station
+        That of the calibration.
+    progress, stop
+        ``progress`` is called before each design; once ``stop`` returns True, all is silent and
+        `Stopped` is raised.
+
     Raises
     ------
-    InvalidInputError
-        All is done already.
     PlaybackError
         A limit of the rig would be passed; the device refuses, loses samples, or is gone.
     Stopped
         ``stop`` returned True.
     """
-    output = verification.next_output
-    if output is None:
-        raise InvalidInputError("All is measured. Begin to verify again.")
+    output = verification.places[len(verification.checks) // len(verification.designs)]
     checks = []
     for number, name in enumerate(verification.designs):
         progress(number, len(verification.designs), f"Output {output}: {name}")
@@ -230,8 +236,11 @@ def _checked(
     n = round(n_seconds * limb.sample_rate_hz)
     hz = np.arange(n // 2 + 1) / n_seconds
     band = target(hz, found.sitting.band_hz)
-    # Channels wait for the slowest one.
-    latest_s = found.latency_s + max(channel.delay_s for channel in station.rig.channels)
+    sent = stimulus_of(design)
+    places = [channel.place for channel in sent.channels if channel.place is not None]
+    # Channels that play wait for the slowest of them.
+    waited_s = max(wired_channel(station.rig, place).delay_s for place in places)
+    latest_s = found.latency_s + waited_s
     unit = station.setup.m_per_s2_at_full_scale * limb.sample_rate_hz / rate_hz
     came = unit * band * scipy.fft.rfft(recorded, n_seconds * rate_hz)[: hz.size]
     came *= np.exp(2j * np.pi * hz * (latest_s - limb.pre_trigger_delay_s))
@@ -248,8 +257,6 @@ def _checked(
             low_db=low_db,
             high_db=high_db,
         )
-    sent = stimulus_of(design)
-    places = [channel.place for channel in sent.channels if channel.place is not None]
     ideal = predict(limb, sent.samples, places)[output - 1, limb.axes.index("z")]
     wanted = band * scipy.fft.rfft(ideal, n)
     predicted = scipy.fft.irfft(wanted, n)
