@@ -67,6 +67,9 @@ def test_the_row_is_that_of_the_person_as_the_rig_moves_it(calibrated):
     assert error_db(found, station) < -38.0
     assert error_db(found, station, (25.0, 400.0)) < -32.0
     assert found.noise_m_per_s2 == pytest.approx(0.01, rel=0.02)
+    gains, delays_s = np.array([*station.errors.values()]).T
+    assert 1.0 < np.abs(20.0 * np.log10(gains)).max() < 3.0
+    assert 2e-5 < np.abs(delays_s).max() < 1e-4
 
 
 def test_noise_that_is_accepted_costs_little(calibrated):
@@ -139,11 +142,22 @@ def test_a_sensor_that_slips_is_noticed_and_all_is_measured_again():
     assert found.accepted
 
 
-def test_what_changes_until_the_repeats_is_noticed_too():
+@pytest.mark.parametrize(
+    ("gain_db", "late_s", "noticed"),
+    [
+        (0.5, 0.0, False),
+        (1.5, 0.0, True),
+        (-1.5, 0.0, True),
+        (0.0, 5e-5, False),
+        (0.0, 1.5e-4, True),
+    ],
+)
+def test_what_changes_until_the_repeats_is_noticed_too(gain_db, late_s, noticed):
     station = stand_in(faults={12: "off"})
     found = calibrate(SITTING, station)
-    station.output = 30
-    assert calibrate(SITTING, station, before=found).moved
+    gain, before_s = station.errors[8]
+    station.errors[8] = gain * 10.0 ** (gain_db / 20.0), before_s + late_s
+    assert bool(calibrate(SITTING, station, before=found).moved) == noticed
 
 
 def test_the_contact_moves_between_5_and_10_mm_per_s_and_never_above_20(calibrated):
@@ -153,10 +167,14 @@ def test_the_contact_moves_between_5_and_10_mm_per_s_and_never_above_20(calibrat
     hz = np.fft.rfftfreq(samples.size, 1.0 / station.sample_rate_hz)[1:]
     moved = np.fft.rfft(4.0 * samples)[1:] * COIL.response(hz) / (2j * np.pi * hz)
     speed = np.abs(np.fft.irfft([0.0, *moved], samples.size))
-    # Both sweeps, all along, but for their faded ends.
-    parts = speed[1600 + 800 : 1600 + 18400].reshape(-1, 800)
+    # The first sweep, all along, but for its faded ends.
+    parts = speed[2800 + 800 : 2800 + 18400].reshape(-1, 800)
     assert parts.max(axis=1) == pytest.approx(7e-3, rel=0.05)
     assert speed.max() < 7.5e-3
+    # It begins without a step, and nothing drifts.
+    assert np.abs(np.diff(samples[:1700])).max() < 1e-3 * samples.max()
+    spectrum = np.abs(np.fft.rfft(samples[1600 : 1600 + 24000]))
+    assert spectrum[:27].max() < 1e-5 * spectrum.max()
 
 
 def test_nothing_is_played_where_the_motion_is_not_known_or_a_limit_would_be_passed():
@@ -164,7 +182,13 @@ def test_nothing_is_played_where_the_motion_is_not_known_or_a_limit_would_be_pas
     unknown = replace(channels[2], measured=None)
     limited = replace(channels[2], limits=Limits(peak_voltage_v=1e-3))
     unheard = replace(channels[2], full_scale_v=None)
-    cases = ((unknown, "no measured response"), (limited, "peak voltage"), (unheard, "full scale"))
+    weak = replace(channels[2], full_scale_v=1e-3)
+    cases = (
+        (unknown, "no measured response"),
+        (limited, "peak voltage"),
+        (unheard, "volts at full scale"),
+        (weak, "place 16: full scale"),
+    )
     for channel, message in cases:
         station = Listening(stand_in())
         station.rig = replace(station.station.rig, channels=(*channels[:2], channel))
@@ -192,9 +216,9 @@ def test_progress_ends_with_all_that_is_played():
     assert seen[-1][0] == seen[-1][1]
 
 
-def card_station():
+def card_station(*others):
     (channel, *_) = stand_in().rig.channels
-    rig = ss.rigs.Rig(channels=(replace(channel, device="", output=3),))
+    rig = ss.rigs.Rig(channels=(replace(channel, device="", output=3), *others))
     setup = ss.rig_measuring.MeasuringSetup(sensitivity_v_per_m_per_s2=0.01, input_full_scale_v=2.0)
     return CardStation(rig=rig, setup=setup, output=Output(sample_rate_hz=RATE_HZ))
 
@@ -220,3 +244,7 @@ def test_two_devices_are_refused(monkeypatch):
     with pytest.raises(InvalidInputError, match="must be on one device"):
         calibrate(SITTING, card_station())
     assert not cards.streams
+    use(monkeypatch, Card(ears(sensed(COIL))))
+    other = ss.rigs.RigChannel(place=12, device="Bench card")
+    with pytest.raises(InvalidInputError, match="must be on one device"):
+        calibrate(replace(SITTING, inputs=(8,)), card_station(other))

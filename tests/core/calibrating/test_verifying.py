@@ -59,6 +59,18 @@ def test_all_designs_are_as_strong_at_the_target_as_predicted(done):
         assert abs(check.delay_s) < 1e-4
 
 
+def test_the_best_single_input_is_the_one_of_most_contrast_on_the_others(begun):
+    contrasts = {}
+    for place in INPUTS:
+        turn = np.exp(-2j * np.pi * begun.focus.frequencies_hz[:, None] / 1300.0 * np.arange(522))
+        own = turn @ begun.found.partial.limb.response_to(place)[29, 2]
+        hands = [np.delete(ss.load_limb(n).response_to(place)[:42, 2], 29, axis=0) for n in OTHERS]
+        quiet = sum(np.square(np.abs(turn @ hand.T)).sum() for hand in hands)
+        contrasts[place] = np.square(np.abs(own)).sum() / quiet
+    (track,) = begun.designs["best single"].inputs
+    assert track.location == max(contrasts, key=contrasts.get)
+
+
 def test_it_is_verified_at_the_loudest_other_place_and_at_one_in_the_middle(begun, done):
     levels_db = begun.expected["focus"].mean_db[:42]
     target, loudest, middle = begun.places

@@ -92,7 +92,7 @@ SWEPT_HZ: Band = (20.0, 650.0)
 SWEEP_S, REST_S = 2.4, 0.6
 # Between them responses are whole; at the ends of the sweep they are 0.
 _WHOLE_HZ: Band = (25.0, 600.0)
-_PERIOD_S = SWEEP_S + REST_S
+_PERIOD_S, _RINGS_S = SWEEP_S + REST_S, 0.15
 #: Silence before and after what is played.
 BEFORE_S, AFTER_S = SETTLING_S, 0.5
 _TAKE_S = BEFORE_S + 2 * _PERIOD_S + AFTER_S
@@ -353,7 +353,9 @@ class _Sweep:
             )
         sweep = np.zeros(samples_in(_PERIOD_S, station))
         chirp = exponential_sweep(SWEPT_HZ, SWEEP_S, rate_hz)
-        sweep[: chirp.size] = sitting.speed_m_per_s * chirp
+        # What the inverse rings before the sweep has room in its period.
+        begin = samples_in(_RINGS_S, station)
+        sweep[begin : begin + chirp.size] = sitting.speed_m_per_s * chirp
         hz = np.arange(sweep.size // 2 + 1) / _PERIOD_S
         moves = 2j * np.pi * hz * scipy.fft.rfft(sweep) * target(hz, SWEPT_HZ)
         driven = np.zeros_like(moves)
