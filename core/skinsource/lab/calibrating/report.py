@@ -23,6 +23,7 @@ from skinsource.engine.stimulus import stimulus_of
 from skinsource.export import plot
 from skinsource.export.exported_design import versions
 from skinsource.export.stimulus_export.export import export_stimulus
+from skinsource.export.stimulus_export.sidecar import sidecar_path
 from skinsource.export.wiring import draw_table
 from skinsource.lab.calibrating.calibration import RULES, SWEEP_S, SWEPT_HZ
 from skinsource.lab.calibrating.verification import Check, Verification
@@ -41,8 +42,8 @@ def save_report(folder: FilePath, verification: Verification) -> dict[str, Any]:
     """Write all about a calibrated person into a folder, and return what ``report.json`` says.
 
     Beside it lie ``report.pdf`` (with the extra ``plot``), the partial limb ``person.h5``, and of
-    all that was played the sound, with a sidecar.  What was not measured yet is
-    missing: the report then says "not verified".
+    all that was played the sound, with a sidecar.  What was not measured yet is missing: the report
+    then says "not verified".
 
     Raises
     ------
@@ -52,11 +53,12 @@ def save_report(folder: FilePath, verification: Verification) -> dict[str, Any]:
     place = Path(folder)
     make_folder(place)
     found = verification.found
-    save_partial(place / "person.h5", found.partial)
+    files = [place / "person.h5"]
+    save_partial(files[0], found.partial)
     for name, design in verification.designs.items():
         path = place / f"{name.replace(' ', '-')}.wav"
         export_stimulus(design, path, rig=found.rig, confirmed=True)
-    files = sorted(path for path in place.iterdir() if not path.name.startswith("report."))
+        files += [path, sidecar_path(path)]
     about = _about(verification) | {
         "files": {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
     }

@@ -135,7 +135,8 @@ class StandIn:
                 continue
             fault = self._ahead.pop(channel.place, fault)
             if fault == "moves":
-                away = np.hypot(*(limb.output_positions_mm - self._place_mm).T)
+                places_mm = limb.output_positions_mm
+                away = np.hypot(*(places_mm - places_mm[self.output - 1]).T)
                 self.output = int(np.nanargmin(np.where(away < _SLIP_MM, np.nan, away))) + 1
             gain, late_s = self.errors[channel.place]
             late_s += _LATENCY_S - limb.pre_trigger_delay_s
@@ -154,7 +155,3 @@ class StandIn:
             came[half:] = np.roll(came[half:], -lost)
         report(mix.n_times)
         return np.clip(came, -1.0, 1.0)
-
-    @property
-    def _place_mm(self) -> Floats:
-        return self.limb.output_positions_mm[self.output - 1]
