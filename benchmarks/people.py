@@ -23,7 +23,7 @@ from skinsource.inverse.responses import (
 )
 from skinsource.limbs.limb import Limb
 from skinsource.people.carrying import carried, far_apart
-from skinsource.people.likeness import probably_on, unlikeness
+from skinsource.people.likeness import MARGIN, probably_on, unlikeness
 from skinsource.people.others import band_levels_db, people_of
 from skinsource.people.ranges import half_width_db
 from skinsource.people.trials import held_text, range_held
@@ -158,14 +158,16 @@ def neighbours(limb: Limb) -> Integers:
     return apart.argmin(axis=1)
 
 
-def places_trial(levels_db: Floats, nearest: Integers) -> tuple[Floats, Floats]:
+def places_trial(
+    levels_db: Floats, nearest: Integers, margin: float = MARGIN
+) -> tuple[Floats, Floats]:
     """Return false alarms and hits of a sensor on the nearest wrong place, (n_people, 42)."""
     alarms, hits = [], []
     claimed = np.arange(N_HAND)
     for person, own_db in enumerate(levels_db):
         unlike = unlikeness(own_db, np.delete(levels_db, person, axis=0))
-        alarms.append([probably_on(unlike[k], k) != k for k in claimed])
-        hits.append([probably_on(unlike[nearest[k]], k) != k for k in claimed])
+        alarms.append([probably_on(unlike[k], k, margin) != k for k in claimed])
+        hits.append([probably_on(unlike[nearest[k]], k, margin) != k for k in claimed])
     return np.array(alarms), np.array(hits)
 
 

@@ -155,3 +155,12 @@ def test_a_report_before_the_checks_says_so_and_names_what_was_left_out(begun, t
     about = save_report(tmp_path, replace(begun, found=replace(begun.found, rows=rows)))
     assert about["state"] == "not verified"
     assert about["inputs"][0]["failures"] == ("It came off.",)
+
+
+@pytest.mark.parametrize(("claimed", "lies_on"), [(30, 30), (30, 18), (9, 9)])
+def test_it_can_be_told_where_the_sensor_of_the_stand_in_lay(claimed, lies_on):
+    station = StandIn(output=lies_on)
+    found = calibrate(replace(SITTING, output=claimed), station)
+    assert found.accepted
+    said = ss.people.likeliest_place(found.partial, claimed, station.others)
+    assert (said == claimed) == (claimed == lies_on)

@@ -81,7 +81,8 @@ class StandIn:
     def limb(self) -> Limb:
         """The person, as nobody could ever measure."""
         random = np.random.default_rng(self.seed)
-        length_mm = round(float(random.uniform(170.0, 195.0)), 1)
+        # As far from the others as they are from one another: a sensor elsewhere can be told.
+        length_mm = round(float(random.uniform(160.0, 178.0)), 1)
         return synthetic_person(1, hand_length_mm=length_mm, seed=100 + self.seed)
 
     @cached_property
