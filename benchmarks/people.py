@@ -253,6 +253,10 @@ gain nothing at 200 and 300 Hz. Some other output is about as loud as the target
 inputs louder. `unseen_contrast_db` says what to expect: in turn, one of the others is left out of
 the design.
 
+In the window, Play > Calibrate a person… leads there in the workspace Lab: mounting, two sweeps of
+each actuator, the focus, and whether it holds where the sensor lies and at two quiet places. Until
+then, and mounted anew, it is not verified. A stand-in person lets it be tried without hardware.
+
 A sensor on the wrong place costs all of it. `ss.people.likeliest_place` compares the octave levels
 of the row with those of the others. Of {n} outputs of each person it doubted, with the sensor where
 it should be: {alarms}; with the sensor on the nearest wrong place: {hits}.
