@@ -18,7 +18,13 @@ from skinsource.engine.time_rules import (
     _z_axis,
     block_of,
 )
-from skinsource.signals.resampling import EXTREMES_ERROR, FINER, extremes_between, finer
+from skinsource.signals.resampling import (
+    EXTREMES_ERROR,
+    FINER,
+    extremes_between,
+    finer,
+    peaks_between,
+)
 from skinsource.signals.sampling import values_at
 
 RATE = 1300.0
@@ -166,6 +172,28 @@ def test_within_every_period_a_tone_reaches_its_peak_whatever_its_samples_miss(f
         assert highest.max() <= 1.0 + FILTER_ERROR
 
 
+def within_db(tolerance_db):
+    return pytest.approx(1.0, rel=10 ** (tolerance_db / 20) - 1)
+
+
+@pytest.mark.parametrize("frequency_hz", [30.0, 325.0, 1300 / 3, 520.0, 600.0])
+def test_the_peak_of_a_tone_or_a_train_is_its_amplitude_whatever_its_samples_miss(frequency_hz):
+    middle = np.linspace(300.0, 301.0, 50)[:, np.newaxis]
+    time_s = (np.arange(1300) - middle) / RATE
+    for hum_s in (0.15, 0.02):
+        wavelets = [
+            np.cos(2 * np.pi * frequency_hz * (time_s - at_s))
+            * np.exp(-(((time_s - at_s) / hum_s) ** 2))
+            for at_s in (0.0, 0.3123)
+        ]
+        assert peaks_between(wavelets[0]) == within_db(0.05)
+        assert peaks_between(np.stack((0.6 * wavelets[0], -0.8 * wavelets[0]), 1)) == within_db(
+            0.05
+        )
+    assert peaks_between(wavelets[0] - 0.9 * wavelets[1]) == within_db(0.05)
+    assert peaks_between(wavelets[0] - 0.9 * wavelets[1], 600, 900) / 0.9 == within_db(0.05)
+
+
 def test_they_are_those_of_the_wave_that_is_drawn_from_close_by():
     signals = band_limited(3, 1001)
     extremes = extremes_between(signals)
@@ -190,6 +218,7 @@ def test_no_signal_is_too_small_or_too_large(peak):
     low, high = extremes.range
     assert low <= -peak < peak <= high
     assert np.isfinite((low, high)).all()
+    assert peak < peaks_between(peak * np.sign(band_limited(1, 300)))[0] < np.inf
 
 
 def test_silence_stays_silent_and_a_single_sample_stays_alone():

@@ -5,7 +5,7 @@ The fader and the meter share one scale in decibels of an amplitude of 1.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from math import copysign, log10
 from typing import Any
 
@@ -37,7 +37,7 @@ from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, View, audibl
 from skinsource.design.display_units import SHOWN_DIGITS, number_text, value_text
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, clip_of
 from skinsource.limbs.locations import input_name
-from skinsource.limbs.own_limbs import facts_of
+from skinsource.signals.resampling import peaks_between
 from skinsource_gui.fields.editor import Burst, new_gesture
 from skinsource_gui.fields.inputs import (
     EMPTY,
@@ -96,7 +96,7 @@ def moved_amplitude(amplitude: float, by_db: float) -> float:
     return float(f"{copysign(size, amplitude):.4g}")
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Head:
     """What a head shows.
 
@@ -112,12 +112,12 @@ class Head:
     silent: bool
     played: Floats | None
 
-    @property
+    @cached_property
     def peak(self) -> float | None:
-        """The largest value that the track plays, with its amplitude."""
+        """The largest value that the track plays, between samples too, with its amplitude."""
         if self.played is None:
             return None
-        return abs(self.track.amplitude) * float(np.abs(self.played).max(initial=0.0))
+        return abs(self.track.amplitude) * float(peaks_between(self.played[np.newaxis])[0])
 
     def level_text(self, decimals: int = 1) -> str:
         """Return the level of the amplitude in a few letters, dB: ``"−6.0"``, ``"+12.3"``."""
@@ -146,8 +146,7 @@ def text_of(head: Head, design: Design, view: View) -> str:
     level = gain if is_gain(design, track) else f"{track.amplitude:g} {unit}"
     level += f" ({level_text(track.amplitude)})"
     if (peak := head.peak) is not None:
-        rate_hz = facts_of(design.limb).sample_rate_hz
-        level += f", peak {peak:.3g} {unit}, sampled at {rate_hz:g} Hz"
+        level += f", peak {peak:.3g} {unit}"
     inverted = "\nPolarity inverted" if track.amplitude < 0 else ""
     return f"{played}\n{level}{inverted}"
 
@@ -181,7 +180,10 @@ class HeadsModel(QAbstractListModel):
             return
         for row, (old, new) in enumerate(zip(before, self.heads, strict=True)):
             known = new.track is old.track and new.played is old.played
-            if not (known and new.silent == old.silent) and new.painted != old.painted:
+            if known and new.silent == old.silent:
+                # Its peak is known.
+                self.heads[row] = old
+            elif new.painted != old.painted:
                 index = self.createIndex(row, 0)
                 self.dataChanged.emit(index, index)
 
