@@ -5,7 +5,6 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any
 
-import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 
@@ -51,7 +50,6 @@ from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of
-from skinsource.signals.resampling import peaks_between
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
@@ -68,6 +66,7 @@ from skinsource_gui.fields.grid import (
 from skinsource_gui.fields.inputs import (
     FieldChanges,
     fixed_length_text,
+    peak_of,
     played_hz_text,
     played_length_text,
     played_of,
@@ -615,7 +614,7 @@ class InspectorPanel(Panel):
         Then the peak of what is not muted, if there is anything: what plays again stays the same.
         """
         played = self._played.get(track.id)
-        heard = whole = None if played is None else float(peaks_between(played[np.newaxis])[0])
+        heard = whole = None if played is None else peak_of(played)
         if any(clip.muted for clip in track.clips):
             track = replace(track, clips=tuple(replace(clip, muted=False) for clip in track.clips))
             whole = peak_before_amplitude(self._design, track)

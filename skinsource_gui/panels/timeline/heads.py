@@ -5,11 +5,10 @@ The fader and the meter share one scale in decibels of an amplitude of 1.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import partial
 from math import copysign, log10
 from typing import Any
 
-import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import (
     QAbstractItemModel,
@@ -37,7 +36,6 @@ from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, View, audibl
 from skinsource.design.display_units import SHOWN_DIGITS, number_text, value_text
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, clip_of
 from skinsource.limbs.locations import input_name
-from skinsource.signals.resampling import peaks_between
 from skinsource_gui.fields.editor import Burst, new_gesture
 from skinsource_gui.fields.inputs import (
     EMPTY,
@@ -47,6 +45,7 @@ from skinsource_gui.fields.inputs import (
     clip_text,
     clips_text,
     fill_inputs_menu,
+    peak_of,
 )
 from skinsource_gui.fields.number_field import FINISHERS, NumberField, makes_step
 from skinsource_gui.fields.units import minus, parse_level
@@ -96,7 +95,7 @@ def moved_amplitude(amplitude: float, by_db: float) -> float:
     return float(f"{copysign(size, amplitude):.4g}")
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Head:
     """What a head shows.
 
@@ -112,12 +111,12 @@ class Head:
     silent: bool
     played: Floats | None
 
-    @cached_property
+    @property
     def peak(self) -> float | None:
         """The largest value that the track plays, between samples too, with its amplitude."""
         if self.played is None:
             return None
-        return abs(self.track.amplitude) * float(peaks_between(self.played[np.newaxis])[0])
+        return abs(self.track.amplitude) * peak_of(self.played)
 
     def level_text(self, decimals: int = 1) -> str:
         """Return the level of the amplitude in a few letters, dB: ``"−6.0"``, ``"+12.3"``."""
@@ -180,10 +179,7 @@ class HeadsModel(QAbstractListModel):
             return
         for row, (old, new) in enumerate(zip(before, self.heads, strict=True)):
             known = new.track is old.track and new.played is old.played
-            if known and new.silent == old.silent:
-                # Its peak is known.
-                self.heads[row] = old
-            elif new.painted != old.painted:
+            if not (known and new.silent == old.silent) and new.painted != old.painted:
                 index = self.createIndex(row, 0)
                 self.dataChanged.emit(index, index)
 
