@@ -525,7 +525,7 @@ def peaks_between(
     Examples
     --------
     >>> import numpy as np
-    >>> tone = np.sin(2.0 * np.pi * (325.0 * np.arange(1300) / 1300.0 + 0.125))
+    >>> tone = np.hanning(1300) * np.sin(np.pi * (np.arange(1300) / 2 + 0.25))  # 325 Hz
     >>> print(f"{abs(tone).max():.3f}, {peaks_between(tone[np.newaxis])[0]:.3f}")
     0.707, 1.000
     """
