@@ -11,7 +11,6 @@ from skinsource_gui.pages.files.export_parts import ExportPart, FilePart
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET, DrawerOf
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.stimulus.page import SetPart, StimulusPart
-from skinsource_gui.qt.buttons import show_or_hide
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX
 
@@ -66,9 +65,10 @@ class ExportPage(ToolPage):
             "Export…", QtWidgets.QDialogButtonBox.ButtonRole.AcceptRole
         )
         self._button.setObjectName("export_button")
-        hint = "Stop this export, and clean up"
+        #: Cancels the running job, which it names.
         self.cancel = buttons.addButton("", QtWidgets.QDialogButtonBox.ButtonRole.ResetRole)
-        named(self.cancel, "cancel_export", hint=hint).setAutoDefault(False)
+        named(self.cancel, "cancel_export", hint="Stop this task, and clean up")
+        self.cancel.setAutoDefault(False)
         columns = in_row(self._list, (self._stack, 1), gap_px=2 * UNIT_PX)
         in_column((columns, 1), self.message, buttons, of=self)
         self._list.currentTextChanged.connect(self._show_group)
@@ -86,12 +86,6 @@ class ExportPage(ToolPage):
         """Settings of the stimulus, to remember."""
         part = self._parts.get("Stimulus")
         return part.settings if isinstance(part, StimulusPart) else self._last_stimulus
-
-    def show_running(self, name: str) -> None:
-        """Offer to cancel the export of the file ``name``; empty: none is written."""
-        width_px = self._list.width()
-        shown = self.cancel.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, width_px)
-        show_or_hide(self.cancel, f"Cancel {shown.replace('&', '&&')}" if name else "")
 
     def show_design(self, design: Design) -> None:
         """Export another design; other parts than the present one are made anew."""

@@ -36,9 +36,11 @@ from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.pages.files.maps_film import export_maps_film
 from skinsource_gui.panels.skin.film import export_animation
 from skinsource_gui.plots.pictures import Picture
+from skinsource_gui.qt.buttons import show_or_hide
 from skinsource_gui.qt.questions import ask_to_replace, ask_yes
 from skinsource_gui.qt.resources import read_text
 from skinsource_gui.state.services import Services
+from skinsource_gui.state.worker import fault_text
 
 #: The exports that need more than design and view, or a selection.
 STIMULUS, FILM, PACK, WIRING, TRACES = "stimulus", "animation", "pack", "wiring", "traces"
@@ -141,7 +143,6 @@ class ExportActions(QObject):
         self._runner = services.runner
         self._picture_options: dict[str, Any] = {}
         self._last = STIMULUS
-        self._jobs: list[Job[Any]] = []
         self._runner.changed.connect(self._show_running)
         #: The dialog, while it is open.
         self.page: Any = None
@@ -162,7 +163,7 @@ class ExportActions(QObject):
         )
         page.show_export(name or self._last)
         page.chosen.connect(self._ask_and_write)
-        page.cancel.clicked.connect(lambda: self._runner.cancel(self._jobs[-1]))
+        page.cancel.clicked.connect(lambda: self._runner.cancel())
         page.edited.connect(self._edit)
         page.finished.connect(self._forget_page)
         self._files.done.connect(page.say)
@@ -236,11 +237,11 @@ class ExportActions(QObject):
             self._files.note_written(path)
 
     def _show_running(self) -> None:
-        """Offer to cancel the last of the exports that are not finished."""
-        unfinished = self._runner.unfinished
-        self._jobs = [job for job in self._jobs if job in unfinished]
+        """Offer to cancel the running job, as the status bar does behind the dialog."""
+        job = self._runner.current
         if self.page is not None:
-            self.page.show_running(_file_of(self._jobs[-1]) if self._jobs else "")
+            text = f"Cancel {_file_of(job)}" if job else ""
+            show_or_hide(self.page.cancel, text.replace("&", "&&"))
 
     def _add(self, path: Path, job: Job[Any], note: str) -> Job[Any] | None:
         """Return the job after which the file is written, if it waits for one."""
@@ -255,19 +256,15 @@ class ExportActions(QObject):
             if isinstance(error, TooInaccurateError):
                 question = f"{path.name}: {error} Export anyway?"
                 if ask_yes(self._window, "Inaccurate numbers", question):
-                    self._add(
-                        path, replace(job, work=partial(job.work, largest_error=math.inf)), note
-                    )
+                    write: Any = job.work
+                    anyway = partial(write, largest_error=math.inf)
+                    self._add(path, replace(job, work=anyway), note)
             elif isinstance(error, SkinSourceError):
                 self.failed.emit(str(error))
             else:
                 _log.error("an export failed", exc_info=error)
-                self.failed.emit(
-                    f"{path.name} was not exported: the studio made a mistake "
-                    f"({type(error).__name__}: {error}). Please report this."
-                )
+                self.failed.emit(f"{path.name} was not exported. {fault_text(error)}")
 
-        self._jobs.append(job)
         return self._runner.add(
             job, done=note_written, cancelled=note_cancelled, failed=note_failed
         )
