@@ -649,13 +649,17 @@ class OfWindows(Kind):
                 "surface_levels_db": results["surface_of_windows_db"][k],
             }
             extent = results["extents_of_windows"][k]
-            reach = "" if extent is None else f" · mean distance {extent.mean_distance_mm:.0f} mm"
+            reach = "" if extent is None else f" · {extent.mean_distance_mm:.0f} mm away"
             name = f"{1e3 * begin_s:.0f} to {1e3 * end_s:.0f} ms{reach}"
             sides.append(Compared(snapshot=snapshot, values={**common, **values}, axes=name))
         return sides
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return [(side.axes, side.axes.partition(" · ")[0]) for side in compared]
+
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
+        text = super().about(compared, design, view)
+        return f"{text} · mean distance from the nearest input"
 
 
 class OfFrequencies(Kind):
