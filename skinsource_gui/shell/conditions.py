@@ -69,6 +69,11 @@ def chip_text(findings: Findings) -> str:
     return "✓ Within measured limits"
 
 
+def _states_text(findings: Findings) -> str:
+    named = [finding for finding in findings if finding.name in NAMES]
+    return "\n".join(f"{NAMES[finding.name]}: {STATES[finding.state]}" for finding in named)
+
+
 class ConditionsChip(QtWidgets.QToolButton):
     """Says which conditions the design leaves; pale while that is of an older design."""
 
@@ -99,10 +104,8 @@ class ConditionsChip(QtWidgets.QToolButton):
 
     def _describe(self) -> None:
         stale, text = self._staleness.is_stale, chip_text(self.findings)
-        named = [finding for finding in self.findings if finding.name in NAMES]
-        states = [f"{NAMES[finding.name]}: {STATES[finding.state]}" for finding in named]
-        about = "\n".join([_OLDER] * stale + states)
-        caution = any(finding.state == "left" for finding in named)
+        about = f"{_OLDER}\n" * stale + _states_text(self.findings)
+        caution = text.startswith(_CAUTION)
         set_tone(self, "warning" if caution and not stale else "dim")
         if text != self.text():
             self.setText(text)
@@ -256,7 +259,8 @@ class Conditions(QObject):
         told = _CAUTIONS.keys() - {"noise"}
         left = (each for each in self.chip.findings if each.state == "left" and each.name in told)
         text = "; ".join(_CAUTIONS[each.name] for each in left)
-        panel.show_caution(f"{_CAUTION} {text[0].upper()}{text[1:]}" if text else "")
+        text = f"{_CAUTION} {text[0].upper()}{text[1:]}" if text else ""
+        panel.show_caution(text, _states_text(self.chip.findings))
 
     def _explain(self) -> None:
         mend = partial(edits.mend, self._document.design, self._document.view)

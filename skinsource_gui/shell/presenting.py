@@ -39,10 +39,11 @@ _LARGE = 1.6
 _SIZE = 560, 420
 # What keys do on the stage.
 _HINTS = (
-    "{next} or {previous}: other scene · {hold}: pause · {levels}: levels · {fit}: fit scales · "
+    "{next} or {previous}: other scene · {motion}{fit}: fit scales · "
     "{cover}: cover · {compare}: compare · {arm}: arm · {other}: other snapshot · "
     "{more}: all keys · {end} or {leave}: leave"
 )
+_MOVING, _LEVELS = "{hold}: pause · {levels}: levels · ", "{levels}: motion · "
 
 
 class NotesWindow(QtWidgets.QWidget):
@@ -281,7 +282,9 @@ class Presenter(QObject):
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
         keys = {name: key_text("presenting", name) for name in KEYS["presenting"].gestures}
         more, end = map(shortcut_text, ("show_keys", "present"))
-        self.done.emit(_HINTS.format(**keys, more=more, end=end))
+        stage = cast("StagePanel", self._made[STAGE])
+        motion = (_MOVING if stage.moves else _LEVELS).format(**keys) * stage.kind.moves
+        self.done.emit(_HINTS.format(**keys, motion=motion, more=more, end=end))
 
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
@@ -388,6 +391,8 @@ class Presenter(QObject):
             maps = cast("MapsPanel", panel)
             several = maps.kind.is_several(maps.settings, document.design, view)
             stage = replace(settings_of(view, STAGE, StageSettings), compared=several)
+            if several and maps.kind.moves:
+                stage = replace(stage, moves=maps.moves)
             document.look(with_settings(view, STAGE, stage))
 
     def _shown_entry(self) -> ShowEntry:
@@ -416,12 +421,13 @@ class Presenter(QObject):
 
     def _handlers(self, watched: QObject) -> dict[str, Callable[[], None]]:
         stage = cast("StagePanel", self._made[STAGE])
+        moves, still = stage.kind.moves, partial(self.done.emit, "Time windows do not move")
         on_stage: dict[str, Callable[[], None]] = {
             "next": partial(self.go, "1"),
             "previous": partial(self.go, "-1"),
             "cover": self.cover,
-            "hold": stage.hold,
-            "levels": stage.show_levels,
+            "hold": stage.hold if moves else still,
+            "levels": stage.show_levels if moves else still,
             "fit": stage.fit,
             "compare": stage.compare,
             "arm": stage.show_arm,

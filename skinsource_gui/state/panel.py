@@ -194,8 +194,11 @@ class Panel(ShowsStaleness):
     def show_noisy(self, outputs: tuple[int, ...]) -> None:
         """Take over the outputs at which the prediction is mostly noise."""
 
-    def show_caution(self, text: str) -> None:
-        """Take over which conditions but noise the design leaves, in a few words; "": none."""
+    def show_caution(self, text: str, about: str) -> None:
+        """Take over which conditions but noise the design leaves, and the state of all of them.
+
+        The ``text`` is in a few words; "": it leaves none.
+        """
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         """Take over the inputs that cannot be played; the next results are without them."""

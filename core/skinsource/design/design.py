@@ -54,6 +54,7 @@ AMPLITUDE = NumberSpec(
 AMPLITUDE_GAIN = replace(
     AMPLITUDE,
     label="Input gain",
+    unit="×",
     hint="Factor on what the clips play; a negative gain inverts the polarity",
 )
 

@@ -55,7 +55,8 @@ class MapsFilm:
         moving = copy(self.moving)
         moving.turns = turns
         of = f" of {1e3 * moving.longest_s:.1f}" if moving.repeats else ""
-        about = f"{1e3 * moving.said_s:.1f}{of} ms"
+        period = " of one period" if of and not moving.any_passes else ""
+        about = f"{1e3 * moving.said_s:.1f}{of} ms{period}"
         content = replace(self.content, cells=moving.cells(), about=about)
 
         def draw(painter: QtGui.QPainter, width: int, height: int, theme: Theme) -> None:

@@ -540,14 +540,17 @@ class Kind:
 
     def shown(self, settings: CompareSettings) -> str:
         """Return what is shown of the sides: the levels where that is no choice."""
-        offered = "shown" in self.fields and settings.shown in self.choices
-        return settings.shown if offered else "levels"
+        return settings.shown if settings.shown in self.choices else "levels"
+
+    def drawn_as(self, settings: CompareSettings) -> str:
+        """Return what is drawn of them where they stand still: the levels of what moves."""
+        return shown if (shown := self.shown(settings)) != MOTION else "levels"
 
     def drawn(
         self, compared: Sequence[Compared], design: Design, view: View, settings: CompareSettings
     ) -> tuple[Cell, ...]:
         """Return the maps of the sides; their scales show by how much levels are matched."""
-        shown, style = self.shown(settings), level_style(view)
+        shown, style = self.drawn_as(settings), level_style(view)
         names = self.names(compared, view, difference=shown == "difference")
         reference = self.reference(compared, design, view)
         if shown == "levels":
@@ -582,7 +585,6 @@ class OfAxes(Kind):
     mean of axes has no meaning.
     """
 
-    fields: ClassVar[frozenset[str]] = frozenset({"shown"})
     choices: ClassVar[tuple[str, ...]] = "levels", MOTION
     needs: ClassVar[frozenset[str]] = _COMMON | frozenset(_PER_AXIS)
     own: ClassVar[bool] = True
@@ -617,6 +619,7 @@ class OfAxes(Kind):
 class OfWindow(Kind):
     """The present design alone."""
 
+    choices: ClassVar[tuple[str, ...]] = ("levels",)
     own: ClassVar[bool] = True
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
@@ -634,7 +637,7 @@ ALONE = "There is no other limb with these outputs. Choose some under Limbs."
 class OfLimbs(Kind):
     """The present design on several limbs; that in the window is predicted once, for all panels."""
 
-    fields: ClassVar[frozenset[str]] = frozenset({"shown", "limbs"})
+    fields: ClassVar[frozenset[str]] = frozenset({"limbs"})
     choices: ClassVar[tuple[str, ...]] = tuple(name for name, _ in SHOWN.options)
 
     def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
@@ -669,6 +672,7 @@ class OfWindows(Kind):
             *("levels_of_windows_db", "surface_of_windows_db", "extents_of_windows"),
         }
     )
+    choices: ClassVar[tuple[str, ...]] = ("levels",)
     own: ClassVar[bool] = True
     moves: ClassVar[bool] = False
 
@@ -682,13 +686,17 @@ class OfWindows(Kind):
                 "surface_levels_db": results["surface_of_windows_db"][k],
             }
             extent = results["extents_of_windows"][k]
-            reach = "" if extent is None else f" · {extent.mean_distance_mm:.0f} mm"
+            reach = "" if extent is None else f" · {extent.mean_distance_mm:.0f} mm away"
             name = f"{1e3 * begin_s:.0f} to {1e3 * end_s:.0f} ms{reach}"
             sides.append(Compared(snapshot=snapshot, values={**common, **values}, axes=name))
         return sides
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return [(side.axes, side.axes.partition(" · ")[0]) for side in compared]
+
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
+        text = super().about(compared, design, view)
+        return f"{text} · mean distance from the nearest input"
 
 
 class OfFrequencies(Kind):
@@ -697,7 +705,7 @@ class OfFrequencies(Kind):
     It stands for the frequency that all its tones have; where they have several, it comes last.
     """
 
-    fields: ClassVar[frozenset[str]] = frozenset({"shown", "frequencies_hz"})
+    fields: ClassVar[frozenset[str]] = frozenset({"frequencies_hz"})
 
     def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
         own_hz = frequency_of(design)
@@ -720,7 +728,7 @@ class OfFrequencies(Kind):
 class OfSnapshots(Kind):
     """Snapshots of the present design, and designs of files; their levels can be matched."""
 
-    fields: ClassVar[frozenset[str]] = frozenset({"shown", "snapshots"})
+    fields: ClassVar[frozenset[str]] = frozenset({"snapshots"})
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return snapshot_names(compared, view.axes, with_limbs=difference)

@@ -130,7 +130,7 @@ class ChoicesBar(QtWidgets.QWidget):
     settings
         Settings of the present view.
     of, shown, own_maximum, limbs, frequencies, match, toggle, file
-        The choices; all but the first are shown only where they apply.
+        The choices; all but the first two are shown only where they apply.
     """
 
     #: The new `View`.
@@ -184,7 +184,6 @@ class ChoicesBar(QtWidgets.QWidget):
         fields = kind.fields
         # Differences have no maximum to be relative to, and a mean is one map.
         self.own_maximum.setVisible(kind.shown(settings) == "levels")
-        self.shown.setVisible("shown" in fields)
         self.limbs.setVisible("limbs" in fields)
         self.frequencies.setVisible("frequencies_hz" in fields)
         self.frequencies.set_value(settings.frequencies_hz)

@@ -368,7 +368,7 @@ class StagePanel(MapsPanel):
         super().__init__(parent)
         self.heading, self.sentence = page_label("stage_title"), page_label("stage_sentence")
         self.strip, self.knob = Strip(), Knob()
-        self.caution, self._caution = page_label("stage_caution", tone="warning"), ""
+        self.caution, self._caution = page_label("stage_caution", tone="warning"), ("", "")
         self.arm, self.switch = QtWidgets.QCheckBox("Arm"), QtWidgets.QCheckBox("Compare")
         keys = KEYS["presenting"].gestures
         named(self.switch, "stage_compare", hint=keys["compare"].hint)
@@ -459,22 +459,30 @@ class StagePanel(MapsPanel):
             names = self.kind.names(self.compared, self.view, difference=False)
             self.moving.update(self.compared, names)
         self._show_traces()
-        self.show_caution(self._caution)
+        self.show_caution(*self._caution)
 
     def reset_range(self) -> None:
         super().reset_range()
         self._release()
 
-    def show_caution(self, text: str) -> None:
-        self._caution = text
+    def show_caution(self, text: str, about: str) -> None:
+        self._caution = text, about
         # The noise is that of the noisiest map.
         counts = [len(noisy_outputs(side)) for side in self.compared]
         if most := max(counts, default=0):
             names = self.kind.names(self.compared, self.view, difference=False)
-            of = f"{names[counts.index(most)][-1]}: " * (len(counts) > 1)
-            hatched = "" if self.moves else ", hatched"
+            noisiest = names[counts.index(most)]
+            several, hatched = len(counts) > 1, "" if self.moves else ", hatched"
+            of = f"{noisiest[-1]}: " * several
             noise = f"{of}{counted(most, 'output')} near the noise{hatched}"
-            text = f"{text}; {noise}" if text else f"⚠ {noise}"
+            about += f"\n{'Near the noise' if self.moves else 'Hatched'}: mostly noise"
+            if not self.moves and self.kind.drawn_as(self.settings) != "levels":
+                # Of no map it is the number.
+                noise = "outputs near the noise"
+            elif several:
+                about += f"; most in {noisiest[0]}, which are counted"
+            text = f"{text}; {noise}" if text else f"⚠ {noise[0].upper()}{noise[1:]}"
+        self.caution.setToolTip(about if text else "")
         if text != self.caution.text():
             self.caution.setText(text)
             self._fit_letters()
@@ -499,7 +507,7 @@ class StagePanel(MapsPanel):
 
     def hold(self) -> None:
         """Let the motion stop where it is, or go on."""
-        self.clock.held = not self.clock.held
+        self.clock.held = self.moves and not self.clock.held
 
     def show_levels(self) -> None:
         """Show RMS levels in place of motion, or motion again."""

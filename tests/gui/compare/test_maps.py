@@ -211,11 +211,13 @@ def test_the_choosers_stay_in_their_place_whatever_is_chosen(qtbot):
     bar, places = ChoicesBar("compare", None), set()
     qtbot.addWidget(bar)
     bar.resize(900, 60)
-    for of, what in product(("snapshots", "limbs", "axes", "frequencies"), ("levels", "motion")):
+    kinds = "snapshots", "limbs", "axes", "frequencies", "windows"
+    for of, what in product(kinds, ("levels", "motion")):
         view = with_settings(View(), "compare", CompareSettings(of=of, shown=what))
         bar.show_state(Design(limb="synthetic-1"), view)
         bar.grab()
         places.add((bar.of.geometry().getRect(), bar.shown.geometry().getRect()))
+        assert not bar.shown.isHidden()
     assert len(places) == 1
 
 

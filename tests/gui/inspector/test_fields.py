@@ -184,7 +184,7 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
     samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
     clip = replace(bench.track.clips[0], waveform=Recording(samples))
     bench.show(bench.design.with_input(0, clips=(clip,)))
-    assert strength() == ("Input gain", "")
+    assert strength() == ("Input gain", "×")
     assert peak() == "4.88 m/s²"
     bench.type("amplitude", "0.5")
     assert bench.track.amplitude == 0.5
@@ -196,7 +196,7 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
         waveform = Formula(text=f"{factor} * sin(6.28 * 50 * t)")
         bench.show(bench.design.with_clip(clip.id, waveform=waveform))
         bench.panel.show_results(bench.results())
-        assert strength() == (("Input gain", "") if factor == 3 else ("Amplitude", "m/s²"))
+        assert strength() == (("Input gain", "×") if factor == 3 else ("Amplitude", "m/s²"))
         assert peak() == shown
 
 

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
 import skinsource as ss
 from skinsource.design.design_file import ShowEntry, open_design
-from skinsource.design.panel_settings import stage_settings
+from skinsource.design.panel_settings import StageSettings, stage_settings, with_settings
 from tests.gui.compare.compare_bench import choose
 
 LEFT = Qt.MouseButton.LeftButton
@@ -88,6 +88,26 @@ def test_the_stage_shows_what_the_compare_panel_in_sight_compared(studio, page):
     choose(studio, of="axes")
     studio.do("present")
     assert studio.panel("stage").switch.isChecked()
+    studio.do("present")
+
+
+OFFERED = {"motion": ": pause · L: levels", "mean": "scene · L: motion", "levels": "scene · F:"}
+
+
+@pytest.mark.parametrize(("what", "offered"), OFFERED.items())
+def test_the_stage_moves_at_first_where_the_compare_panel_does(studio, what, offered):
+    stage, before = studio.panel("stage"), StageSettings(moves=what == "mean")
+    studio.document.look(with_settings(studio.document.view, "stage", before))
+    studio.docks["compare"].bring_forward()
+    choose(studio, of="windows" if what == "levels" else "limbs", shown=what)
+    _, view = studio.presenter._shown_entry().presented
+    studio.do("present")
+    assert stage.moves is stage_settings(view).moves is (what == "motion")
+    assert offered in studio.notice.text
+    studio.presenter._handlers(stage)["levels"]()
+    # Where nothing can move it is said.
+    assert stage.moves is (what == "mean")
+    assert (studio.notice.text == "Time windows do not move") is (what == "levels")
     studio.do("present")
 
 

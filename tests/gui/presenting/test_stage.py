@@ -19,7 +19,7 @@ from skinsource.design import edits
 from skinsource.design.comparing import difference_db, gain_text
 from skinsource.design.design import Snapshot
 from skinsource.design.design_file import save_design
-from skinsource.design.panel_settings import StageSettings, with_settings
+from skinsource.design.panel_settings import StageSettings, stage_settings, with_settings
 from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
@@ -108,6 +108,15 @@ def test_maps_side_by_side_move_together_in_one_scale(stage, qtbot, of):
         assert not np.array_equal(one.values_db, other.values_db)
     # Axes that move are captioned with none of them.
     assert of != "axes" or "normal" not in stage.maps.content.common_scale.text_below
+
+
+@pytest.mark.parametrize("of", COMPARED)
+def test_levels_of_what_moves_are_as_many_maps_of_levels(stage, qtbot, of):
+    moving = side_by_side(stage, qtbot, COMPARED[of], of=of, shown="motion")
+    stage.show_levels()
+    still = complete(stage, qtbot, COMPARED[of])
+    assert {cell.scale.unit for cell in still} == {"dB"}
+    assert [cell.heading for cell in still] == [cell.heading for cell in moving]
 
 
 def test_motions_that_pass_go_on_until_the_longest_is_over(stage, qtbot):
@@ -329,12 +338,14 @@ def test_what_leaves_the_conditions_is_said_on_the_stage(stage, qtbot):
     told = "outside the measured band; probe too fast; waves shorter than the sensor spacing"
     assert stage.caution.text() == f"⚠ {told}".replace("o", "O", 1)
     assert not stage.caution.geometry().intersects(stage.maps.geometry())
+    assert stage.caution.toolTip() == window.conditions.chip.accessibleDescription()
 
 
 def test_time_windows_are_levels_whatever_moves(stage, qtbot):
     show(stage.window(), StageSettings(compared=True), of="windows")
     qtbot.waitUntil(lambda: len(stage.maps.content.cells) > 1, timeout=15_000)
     assert all(cell.scale.unit == "dB" for cell in stage.maps.content.cells)
+    assert stage.maps.content.cells[0].heading.endswith(" mm away")
 
 
 @pytest.mark.parametrize("screen", [(1280, 720), (1366, 768), (1920, 1080)])
@@ -379,7 +390,7 @@ def test_the_knob_says_what_it_turns_in_words_that_stand_alone(kind):
     assert name == "amplitude" or kind.title in spec.label
     view = with_settings(ss.View(), "stage", StageSettings(control="amplitude"))
     _, _, spec, _ = _number(design.with_clip(1, gain=0.5), view)
-    assert (spec.label, spec.unit) == ("Input gain", "")
+    assert (spec.label, spec.unit) == ("Input gain", "×")
 
 
 def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
@@ -716,6 +727,10 @@ def test_rows_of_noise_say_so_and_have_no_arrival(measured, stage, qtbot):
     qtbot.waitUntil(lambda: told.search(stage.caution.text()) is not None)
     stage.show_levels()
     qtbot.waitUntil(lambda: stage.caution.text().endswith("near the noise, hatched"))
+    assert "\nHatched: mostly noise; most in 400 Hz, " in stage.caution.toolTip()
+    show(stage.window(), stage_settings(stage.view), of="frequencies", shown="mean")
+    # Of their mean there is no number.
+    assert re.search(r"\d|hatched|^$", stage.caution.text()) is None
     # Of noise the loudest part is shown, after all has arrived.
     scene_on(stage, qtbot, "2C", "synthetic-1")
     assert "marked" not in stage.strip._words[1]
@@ -799,14 +814,19 @@ def test_a_film_of_frequencies_says_what_the_tones_are_and_when_it_is(stage, qtb
     monkeypatch.setattr(maps_film, "paint_page", lambda by, of, *_: drawn.extend((by.font(), of)))
     maps_film.maps_picture(options=options, seen=film, stop=never)
     assert drawn[0].pixelSize() >= letters_px(1280, 720)
-    whole_ms = 1e3 * film.moving.longest_s
-    assert drawn[1].about == f"{whole_ms / 4:.1f} of {whole_ms:.1f} ms"
+    # Two tones pass, and do not end with a period of the others.
+    assert drawn[1].about == f"{250.0 * film.moving.longest_s:.1f} ms"
+    window.do("undo")
+    qtbot.waitUntil(lambda: stage.moving.longest_s == pytest.approx(0.02))
+    film = window.pictures.picture_of(MOVING).visible
+    maps_film.maps_picture(options=options, seen=film, stop=never)
+    assert drawn[3].about == "5.0 of 20.0 ms of one period"
 
 
 def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
     shown_at(stage, 1920, 1080)
     side_by_side(stage, qtbot, 4, of="limbs")
-    stage.show_caution("⚠ Outside the measured band, 2 more")
+    stage.show_caution("⚠ Outside the measured band, 2 more", "")
     stage.layout().activate()
     line_px = stage.caution.fontMetrics().height()
     assert stage.caution.heightForWidth(stage.caution.width()) < 2 * line_px
