@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking, real_number
-from skinsource.base.conventions import Axes, Complexes, Floats, Integers
+from skinsource.base.conventions import Axes, Complexes, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.designing import Solution
+from skinsource.inverse.designing import Focus
 from skinsource.inverse.responses import (
     Responses,
     gram_of,
@@ -35,36 +35,6 @@ LEAST_BETA, MOST_BETA = 1e-6, 1e9
 _REFINEMENTS, _TRIED = 9, 33
 # Of the weights of `quietest`, and of the phases of `paint`.
 _REWEIGHTINGS, _ITERATIONS = 50, 60
-
-
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Focus(Solution):
-    """A solution, and what is to be expected of it.
-
-    Attributes
-    ----------
-    mean_contrast_db : (n_bins,)
-        Energy at the target over the mean of the quiet outputs.
-    loudest_other_db : (n_bins,)
-        Energy at the target over that of the loudest other output.
-    loudest_other : (n_bins,)
-        That output, from 1.
-    spread_db : (n_bins,)
-        Energy of the strongest of several targets over that of the weakest.
-    unseen
-        Finds `unseen_contrast_db`, which takes as long as the drives.
-    """
-
-    mean_contrast_db: Floats
-    loudest_other_db: Floats
-    loudest_other: Integers
-    spread_db: Floats
-    unseen: Callable[[], Floats]
-
-    @cached_property
-    def unseen_contrast_db(self) -> Floats:
-        """`mean_contrast_db` at quiet outputs that the design never saw, each left out in turn."""
-        return self.unseen()
 
 
 @checking
@@ -385,15 +355,12 @@ class Wish:
         strong, quiet = (energy[:, np.array(which) - 1] for which in (self.strong, self.quiet))
         others = np.array(sorted({*self.quiet, *self.responses.others} - {*self.strong}))
         bright, of_others = strong.mean(axis=1), energy[:, others - 1]
-        limb = self.responses.limb
-        everywhere = np.zeros((len(drives), limb.n_inputs), complex)
-        everywhere[:, np.array(self.responses.inputs) - 1] = drives
         return Focus(
-            limb=limb,
+            limb=self.responses.limb,
             target=self.strong[0],
             inputs=self.responses.inputs,
             frequencies_hz=self.responses.frequencies_hz,
-            drives=everywhere,
+            used_drives=drives,
             beta=beta,
             row=self.row,
             gram=self.gram,
@@ -420,7 +387,7 @@ class Wish:
         at_strong = np.einsum("fri,foi->fro", of_strong, drives[:, None] + back)
         bright = np.square(np.abs(at_strong)).sum(axis=1) / len(self.strong)
         ratio = np.square(np.abs(unseen)).sum(axis=(2, 3)) / bright
-        return -power_db(ratio.mean(axis=1), np.ones(len(ratio)))
+        return -power_db(ratio.mean(axis=1))
 
 
 def loaded(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -26,9 +25,6 @@ HAND_OUTPUTS = tuple(range(1, 43))
 PERPENDICULAR_INPUTS = tuple(range(6, 21))
 #: Above it responses of the published limbs are mostly noise.
 HIGHEST_HZ = 400.0
-
-#: A limb, or its name.
-LimbOrName: TypeAlias = Limb | str
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -218,7 +214,7 @@ def gram_of(rows: Complexes) -> Complexes:
     return rows.conj().swapaxes(1, 2) @ rows
 
 
-def power_db(energy: Floats, reference: Floats) -> Floats:
+def power_db(energy: Floats, reference: Floats | float = 1.0) -> Floats:
     """Return 10 log10(energy / reference); NaN where both are 0."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return 10.0 * (np.log10(energy) - np.log10(reference))

@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking
-from skinsource.base.conventions import Axes, Floats
+from skinsource.base.conventions import Axes
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.focusing import Focus, energy_of, loaded, quiet_of, target_row
+from skinsource.inverse.designing import Focus
+from skinsource.inverse.focusing import energy_of, loaded, quiet_of, target_row
 from skinsource.inverse.responses import gram_of, power_db, responses_of
 from skinsource.limbs.limb import Limb
 from skinsource.people.others import check_same_places, people_of
@@ -82,34 +83,25 @@ def focus(
     quiet = quiet_of(theirs[0], [target], None)
     grams = np.stack([gram_of(each.rows(quiet)) for each in theirs])
     drives, beta = loaded(row, grams.mean(axis=0))
-    chosen = np.array(quiet) - 1
-
-    def energies(of: int, but: int | None = None) -> Floats:
-        """Return the energy of quiet outputs of one of the others, whom the design may not know."""
-        known = grams if but is None else np.delete(grams, but, axis=0)
-        tried = drives if but is None else loaded(row, known.mean(axis=0))[0]
-        return energy_of(theirs[of], tried)[:, chosen]
-
-    everyone = range(len(theirs))
-    seen = np.stack([energies(k) for k in everyone])
+    seen = np.stack([energy_of(each, drives) for each in theirs])
     unseen = np.full_like(seen, np.nan)
-    if len(theirs) > 1:
-        unseen = np.stack([energies(k, but=k) for k in everyone])
-    one = np.ones(len(row))
-    everywhere = np.zeros((len(row), partial.limb.n_inputs), complex)
-    everywhere[:, np.array(own.inputs) - 1] = drives
+    for k in range(len(theirs) if len(theirs) > 1 else 0):
+        # The design does not know the one whose energy it is.
+        tried, _ = loaded(row, np.delete(grams, k, axis=0).mean(axis=0))
+        unseen[k] = energy_of(theirs[k], tried)
+    seen, unseen = (energy[..., np.array(quiet) - 1] for energy in (seen, unseen))
     return Focus(
         limb=own.limb,
         target=target,
         inputs=own.inputs,
         frequencies_hz=own.frequencies_hz,
-        drives=everywhere,
+        used_drives=drives,
         beta=beta,
         row=row,
         gram=grams.mean(axis=0),
-        mean_contrast_db=power_db(one, seen.mean(axis=(0, 2))),
-        loudest_other_db=power_db(one, unseen.max(axis=2).mean(axis=0)),
+        mean_contrast_db=-power_db(seen.mean(axis=(0, 2))),
+        loudest_other_db=-power_db(unseen.max(axis=2).mean(axis=0)),
         loudest_other=np.zeros(len(row), dtype=np.int64),
         spread_db=np.zeros(len(row)),
-        unseen=lambda: power_db(one, unseen.mean(axis=(0, 2))),
+        unseen=lambda: -power_db(unseen.mean(axis=(0, 2))),
     )
