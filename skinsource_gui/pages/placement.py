@@ -3,7 +3,7 @@
 A job places them; the layouts are then judged on each limb like that of the design.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -11,7 +11,6 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Qt
 
-from skinsource.base.conventions import ALL_AXES, Axes
 from skinsource.base.job import Job, Progress, Stop
 from skinsource.design import edits
 from skinsource.design.design import OUTPUTS
@@ -22,18 +21,19 @@ from skinsource.inverse.placement import FINGERTIPS, Layout, Placement, layout, 
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import input_name
-from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.editors import NumbersEditor
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import minus
-from skinsource_gui.pages.page import RowTable, ToolPage
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import Mark, drawing_of
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named
 from skinsource_gui.qt.questions import tab_separated
 from skinsource_gui.qt.resources import choice_of, columns_of, number_named
+from skinsource_gui.qt.row_table import RowTable
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJobs
@@ -58,34 +58,6 @@ _SIZE_PX = (1120, 600)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Question:
-    """What is asked.
-
-    Attributes
-    ----------
-    limb, digest
-        The limb of the design.
-    people
-        It, and then all others like it.
-    everywhere
-        Whether the layout is to be good for all of them, or for the first alone.
-    target
-        Says along which axes, and how strong or sharp.
-    outputs, count, keep_apart
-        As of `skinsource.inverse.place`.
-    """
-
-    limb: str
-    digest: str
-    people: tuple[str, ...]
-    everywhere: bool
-    target: Target
-    outputs: tuple[int, ...]
-    count: int
-    keep_apart: bool
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Answer:
     """The layouts, how well each serves on all limbs of the question, and the best there."""
 
@@ -99,20 +71,39 @@ class Answer:
         return max(0.0, *(best.score_db - there.score_db for there, best in pairs))
 
 
-def answered(asked: Question, *, progress: Progress, stop: Stop) -> Answer:
-    """Place actuators, and judge the layouts on each limb."""
-    limbs = {
-        name: load_limb(name, asked.digest if name == asked.limb else "") for name in asked.people
-    }
-    here, wanted = limbs[asked.limb], asked.target
-    axes: Axes = wanted.axes if set(wanted.axes) <= set(here.axes) else ALL_AXES
-    judging: dict[str, Any] = {"targets": asked.outputs, "axes": axes, "beta": wanted.beta}
-    wish = {**judging, "count": asked.count, "keep_apart": asked.keep_apart, "stop": stop}
+def answered(
+    people: Mapping[str, str],
+    everywhere: bool,
+    target: Target,
+    outputs: tuple[int, ...],
+    *,
+    progress: Progress,
+    stop: Stop,
+    **chosen: Any,
+) -> Answer:
+    """Place actuators, and judge the layouts on each limb.
+
+    Parameters
+    ----------
+    people
+        Digests of limbs by their names: of that of the design, and then of all others like it.
+    everywhere
+        Whether the layouts are to be good for all of them, or for the first alone.
+    target
+        Says along which axes, and how strong or sharp.
+    outputs, chosen
+        As of `skinsource.inverse.place`; count and keep_apart.
+    """
+    limbs = {name: load_limb(name, digest) for name, digest in people.items()}
+    axes = axes_on(next(iter(people)), target.axes)
+    judging: dict[str, Any] = {"targets": outputs, "axes": axes, "beta": target.beta}
     best: list[Placement] = []
     for name, limb in limbs.items():
         progress(len(best), len(limbs), f"Trying layouts on {short_limb_title(name)}")
-        best.append(place(limb, **wish))
-    found = place(list(limbs.values()), **wish) if asked.everywhere else best[0]
+        best.append(place(limb, stop=stop, **judging, **chosen))
+    found = best[0]
+    if everywhere:
+        found = place(list(limbs.values()), stop=stop, **judging, **chosen)
     return Answer(
         placement=found,
         there=tuple(
@@ -186,18 +177,17 @@ class PlacementPage(ToolPage):
             self.say(_EMPTY)
             return
         design = self._document.design
-        asked = Question(
-            limb=design.limb,
-            digest=design.limb_digest,
-            people=self._people,
-            everywhere=self.on.value == "people",
-            target=self._target or Target(),
-            outputs=self.which.value,
+        work = partial(
+            answered,
+            dict.fromkeys(self._people, "") | {design.limb: design.limb_digest},
+            self.on.value == "people",
+            self._target or Target(),
+            self.which.value,
             count=round(self.count.value_si),
             keep_apart=not self.pairs.isChecked(),
         )
         self.say("Waiting for other work…")
-        self.run.add(Job(TITLE, partial(answered, asked)))
+        self.run.add(Job(TITLE, work))
 
     def _lay_out(self) -> None:
         form, fields = QtWidgets.QWidget(), {"of": self.of, "outputs": self.which}

@@ -269,15 +269,12 @@ class OnLimb:
 
     Attributes
     ----------
-    limb
-        The limb.
     levels_db : (n_outputs,)
         In dB re the strong outputs on the limb for which they were found.
     contrast_db
         Level at the strong outputs over the loudest other one, on this limb.
     """
 
-    limb: Limb
     levels_db: Floats
     contrast_db: float
 
@@ -405,7 +402,7 @@ def on_limb(aim: Aim, limb: Limb) -> OnLimb:
     levels_db = _levels_db(responses, aim.spectra, _bright(aim, aim.spectra))
     loudest = levels_db[_loudest_other(aim, responses, levels_db) - 1]
     contrast_db = _power_db(levels_db[_rows(aim.target.strong)]) - float(loudest)
-    return OnLimb(limb=limb, levels_db=levels_db, contrast_db=contrast_db)
+    return OnLimb(levels_db=levels_db, contrast_db=contrast_db)
 
 
 #: Between sensors a target has to gain so much over the best single input, dB.
@@ -489,7 +486,8 @@ def margin_of(aim: Aim, design: Design) -> Margin:
     if actuation is None or actuation.equaliser is None or not drives:
         return Margin()
     channels, volts = [], []
-    for output, (at, drive) in enumerate(drives.items(), start=1):
+    equaliser, band_hz = actuation.equaliser, followed_band(aim.limb.band_hz, rate_hz)
+    for at, drive in drives.items():
         actuator = actuation.at(at)
         limits = profile_of(actuator).limits
         if design.rig is not None and (wired := design.rig.channel_of(at)) is not None:
@@ -497,12 +495,7 @@ def margin_of(aim: Aim, design: Design) -> Margin:
             device = Limits(peak_voltage_v=None if full is None else abs(full))
             limits = strictest(limits, limits_of(wired), device)
         channels.append(
-            RigChannel(
-                place=at, output=output, model=actuator.model, full_scale_v=1.0, limits=limits
-            )
+            RigChannel(place=at, output=at, model=actuator.model, full_scale_v=1.0, limits=limits)
         )
-        band_hz = followed_band(aim.limb.band_hz, rate_hz)
-        volts.append(
-            equalised(drive, rate_hz, actuator.model, actuation.equaliser, band_hz=band_hz)
-        )
+        volts.append(equalised(drive, rate_hz, actuator.model, equaliser, band_hz=band_hz))
     return highest_gain(Rig(channels=tuple(channels)), list(drives), volts, round(rate_hz))

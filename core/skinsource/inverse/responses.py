@@ -145,7 +145,8 @@ def responses_of(
         raise InvalidInputError(f"inputs are {list(used)}, expected one place or more, each once")
     if frequencies_hz is None:
         top_hz = min(band[1], HIGHEST_HZ) if published else band[1]
-        at_hz = bins_hz(limb, (band[0], top_hz))
+        all_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
+        at_hz = all_hz[(all_hz >= band[0]) & (all_hz <= top_hz)]
     else:
         at_hz = _checked_frequencies(frequencies_hz, band)
     known = _RESPONSES.setdefault(limb, {})
@@ -160,12 +161,6 @@ def responses_of(
 _MOST = 8
 _Key = tuple[tuple[int, ...], tuple[int, ...], bytes]
 _RESPONSES: WeakKeyDictionary[Limb, dict[_Key, Responses]] = WeakKeyDictionary()
-
-
-def bins_hz(limb: Limb | LimbFacts, band_hz: Band) -> Floats:
-    """Return the bins of the transform within a band, (n_bins,)."""
-    all_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
-    return all_hz[(all_hz >= band_hz[0]) & (all_hz <= band_hz[1])]
 
 
 def _checked_frequencies(frequencies_hz: ArrayLike, band: Band) -> Floats:
@@ -192,10 +187,9 @@ def spectra_of(limb: Limb, axes: Axes, inputs: tuple[int, ...], at_hz: Floats) -
     values = (rows @ np.cos(phase) - 1j * (rows @ np.sin(phase))).reshape(*taps.shape[:3], -1)
     noises = [place_noise(limb, place) for place in inputs]
     known = [noise[:, numbers] for noise in noises if noise is not None]
-    sizes = {each.name: getattr(limb, each.name, None) for each in fields(LimbFacts)}
-    given = {name: value for name, value in sizes.items() if value is not None}
+    names = (each.name for each in fields(LimbFacts) if hasattr(limb, each.name))
     return Responses(
-        limb=replace(facts_of(limb.name), **given),
+        limb=replace(facts_of(limb.name), **{name: getattr(limb, name) for name in names}),
         inputs=inputs,
         frequencies_hz=at_hz,
         values=np.ascontiguousarray(np.moveaxis(values, (3, 0), (0, 3))),
