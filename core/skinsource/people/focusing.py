@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +12,7 @@ from skinsource.base.arguments import checking
 from skinsource.base.conventions import Axes
 from skinsource.base.errors import InvalidInputError
 from skinsource.inverse.designing import Focus
-from skinsource.inverse.focusing import energy_of, loaded, quiet_of, target_row
+from skinsource.inverse.focusing import Wish, energy_of, loaded, quiet_of
 from skinsource.inverse.responses import gram_of, power_db, responses_of
 from skinsource.limbs.limb import Limb
 from skinsource.people.others import check_same_places, people_of
@@ -77,31 +78,22 @@ def focus(
         responses_of(limb, axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
         for limb in people
     ]
-    at_hz = theirs[0].frequencies_hz
-    own = responses_of(partial.limb, axes=axes, inputs=inputs, frequencies_hz=at_hz)
-    row = target_row(own, own.check_target(target))
     quiet = quiet_of(theirs[0], [target], None)
+    wish = Wish.of(partial.limb, [target], quiet, axes, inputs, theirs[0].frequencies_hz)
     grams = np.stack([gram_of(each.rows(quiet)) for each in theirs])
-    drives, beta = loaded(row, grams.mean(axis=0))
+    drives, beta = loaded(wish.row, grams.mean(axis=0))
     seen = np.stack([energy_of(each, drives) for each in theirs])
     unseen = np.full_like(seen, np.nan)
     for k in range(len(theirs) if len(theirs) > 1 else 0):
         # The design does not know the one whose energy it is.
-        tried, _ = loaded(row, np.delete(grams, k, axis=0).mean(axis=0))
+        tried, _ = loaded(wish.row, np.delete(grams, k, axis=0).mean(axis=0))
         unseen[k] = energy_of(theirs[k], tried)
     seen, unseen = (energy[..., np.array(quiet) - 1] for energy in (seen, unseen))
-    return Focus(
-        limb=own.limb,
-        target=target,
-        inputs=own.inputs,
-        frequencies_hz=own.frequencies_hz,
-        used_drives=drives,
-        beta=beta,
-        row=row,
+    return replace(
+        wish.solved(drives, beta, lambda: wish.gram),
         gram=grams.mean(axis=0),
         mean_contrast_db=-power_db(seen.mean(axis=(0, 2))),
         loudest_other_db=-power_db(unseen.max(axis=2).mean(axis=0)),
-        loudest_other=np.zeros(len(row), dtype=np.int64),
-        spread_db=np.zeros(len(row)),
+        loudest_other=np.zeros(len(drives), dtype=np.int64),
         unseen=lambda: -power_db(unseen.mean(axis=(0, 2))),
     )
