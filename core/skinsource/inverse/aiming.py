@@ -16,14 +16,7 @@ import scipy
 
 from skinsource.actuators.equalising import equalised, followed_band
 from skinsource.actuators.prediction import Limits
-from skinsource.actuators.rigs import (
-    Margin,
-    Rig,
-    RigChannel,
-    highest_gain,
-    limits_of,
-    strictest,
-)
+from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain, limits_of, strictest
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import LARGEST_VELOCITY_M_PER_S, Band, Complexes, Floats
 from skinsource.base.errors import InvalidInputError, counted, sentence

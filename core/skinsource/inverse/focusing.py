@@ -249,8 +249,8 @@ def paint(
     """
     wish = Wish.of(limb, list(strong), list(quiet), axes, inputs, frequencies_hz)
     of_strong, of_quiet = (
-        np.array([_checked_weight(weight) for weight in weights.values()])
-        for weights in (strong, quiet)
+        np.array([real_number("weight", each, "a number above 0", least=1e-9) for each in weights])
+        for weights in (strong.values(), quiet.values())
     )
     # Few strong outputs count as much as many quiet ones.
     roots = np.sqrt(of_strong * of_quiet.sum() / of_strong.sum())
@@ -506,7 +506,3 @@ def checked_beta(beta: float) -> float:
 
 def _checked_effort(value: float) -> float:
     return real_number("effort_db", value, "a number of 0 dB or more", least=0.0)
-
-
-def _checked_weight(weight: float) -> float:
-    return real_number("weight", weight, "a number above 0", least=1e-9)

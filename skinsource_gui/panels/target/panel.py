@@ -38,12 +38,7 @@ from skinsource_gui.fields.editors import new_editor
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.parts import PartFields
 from skinsource_gui.fields.units import minus
-from skinsource_gui.plots.small_map import (
-    LEAST_MAP_PX,
-    map_grid,
-    paint_rings,
-    paint_small_map,
-)
+from skinsource_gui.plots.small_map import LEAST_MAP_PX, map_grid, paint_rings, paint_small_map
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.resources import columns_of
@@ -107,17 +102,14 @@ class WaysTable(RowTable):
         """Show what ways do on a limb."""
         self.fill([row_of(way, limb) for way in ways])
         for row, way in enumerate(ways):
-            if way.velocity_m_per_s > LARGEST_VELOCITY_M_PER_S:
-                speed = self.item(row, len(COLUMNS) - 1)
+            speed = self.item(row, len(COLUMNS) - 1)
+            if speed and way.velocity_m_per_s > LARGEST_VELOCITY_M_PER_S:
                 speed.setForeground(QtGui.QColor(current_theme().error))
 
     def sizeHint(self) -> QSize:
         rows = 3 * self.verticalHeader().defaultSectionSize()
         height = self.horizontalHeader().sizeHint().height() + rows + 2 * self.frameWidth()
         return QSize(super().sizeHint().width(), height)
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(super().minimumSizeHint().width(), self.sizeHint().height())
 
 
 class PeopleMaps(QtWidgets.QWidget):
