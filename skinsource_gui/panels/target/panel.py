@@ -40,9 +40,9 @@ from skinsource_gui.fields.parts import PartFields
 from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.small_map import LEAST_MAP_PX, map_grid, paint_rings, paint_small_map
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
+from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.resources import columns_of
-from skinsource_gui.qt.row_table import RowTable
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.aiming import Found, FoundPanel, Person
 from skinsource_gui.state.panel import PREPARING
