@@ -18,8 +18,9 @@ from skinsource.inverse.focusing import loaded, target_row
 from skinsource.inverse.responses import (
     HAND_OUTPUTS,
     Responses,
-    bins_hz,
+    bins_of,
     gram_of,
+    n_fft_of,
     responses_of,
 )
 from skinsource.limbs.limb import Limb
@@ -37,7 +38,8 @@ _BAND_HZ, _BINS = (30.0, 300.0), 30
 
 def usual_bins_hz(limb: Limb) -> Floats:
     """Return 30 frequencies from 30 to 300 Hz, (n_bins,)."""
-    at_hz = bins_hz(limb, _BAND_HZ)
+    all_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
+    at_hz = all_hz[(all_hz >= _BAND_HZ[0]) & (all_hz <= _BAND_HZ[1])]
     return at_hz[np.linspace(0, at_hz.size - 1, _BINS).round().astype(int)]
 
 
@@ -142,8 +144,8 @@ def levels_trial(levels_db: Floats, count: int) -> tuple[Floats, Floats]:
         for octave, theirs_db in enumerate(np.moveaxis(others_db, 1, 0)):
             mean_db, half_db = theirs_db.mean(axis=0), half_width_db(theirs_db)
             if rows:
-                found = carried(theirs_db, own_db[octave, rows], rows, range(len(ALL)))
-                mean_db, half_db = found.mean_db, half_db * found.remaining[elsewhere]
+                mean_db, remaining = carried(theirs_db, own_db[octave, rows], rows, range(len(ALL)))
+                half_db = half_db * remaining[elsewhere]
             errors[person, octave] = mean_db - own_db[octave]
             shares.append(np.abs(errors[person, octave, elsewhere]) <= half_db)
         held.append(np.mean(shares))

@@ -3,7 +3,7 @@
 A job places them; the layouts are then judged on each limb like that of the design.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -11,7 +11,6 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Qt
 
-from skinsource.base.conventions import ALL_AXES, Axes
 from skinsource.base.job import Job, Progress, Stop
 from skinsource.design import edits
 from skinsource.design.design import OUTPUTS
@@ -22,7 +21,7 @@ from skinsource.inverse.placement import FINGERTIPS, Layout, Placement, layout, 
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import input_name
-from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.editors import NumbersEditor
 from skinsource_gui.fields.number_field import NumberField
@@ -59,34 +58,6 @@ _SIZE_PX = (1120, 600)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Question:
-    """What is asked.
-
-    Attributes
-    ----------
-    limb, digest
-        The limb of the design.
-    people
-        It, and then all others like it.
-    everywhere
-        Whether the layout is to be good for all of them, or for the first alone.
-    target
-        Says along which axes, and how strong or sharp.
-    outputs, count, keep_apart
-        As of `skinsource.inverse.place`.
-    """
-
-    limb: str
-    digest: str
-    people: tuple[str, ...]
-    everywhere: bool
-    target: Target
-    outputs: tuple[int, ...]
-    count: int
-    keep_apart: bool
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Answer:
     """The layouts, how well each serves on all limbs of the question, and the best there."""
 
@@ -94,26 +65,53 @@ class Answer:
     there: tuple[tuple[Layout, ...], ...]
     best_there: tuple[Layout, ...]
 
+    @property
+    def rows(self) -> list[tuple[Layout, tuple[Layout, ...]]]:
+        """Each layout, and how well it serves on all limbs."""
+        return list(zip(self.placement.ranked, self.there, strict=True))
+
     def behind_db(self, row: int) -> float:
         """Return by how much a layout is below the best of some limb, at most."""
         pairs = zip(self.there[row], self.best_there, strict=True)
         return max(0.0, *(best.score_db - there.score_db for there, best in pairs))
 
 
-def answered(asked: Question, *, progress: Progress, stop: Stop) -> Answer:
-    """Place actuators, and judge the layouts on each limb."""
-    limbs = {
-        name: load_limb(name, asked.digest if name == asked.limb else "") for name in asked.people
-    }
-    here, wanted = limbs[asked.limb], asked.target
-    axes: Axes = wanted.axes if set(wanted.axes) <= set(here.axes) else ALL_AXES
-    judging: dict[str, Any] = {"targets": asked.outputs, "axes": axes, "beta": wanted.beta}
-    wish = {**judging, "count": asked.count, "keep_apart": asked.keep_apart, "stop": stop}
+_UNANSWERED = Answer(placement=Placement(ranked=(), exhaustive=True), there=(), best_there=())
+
+
+def answered(
+    people: Mapping[str, str],
+    everywhere: bool,
+    target: Target,
+    outputs: tuple[int, ...],
+    *,
+    progress: Progress,
+    stop: Stop,
+    **chosen: Any,
+) -> Answer:
+    """Place actuators, and judge the layouts on each limb.
+
+    Parameters
+    ----------
+    people
+        Digests of limbs by their names: of that of the design, and then of all others like it.
+    everywhere
+        Whether the layouts are to be good for all of them, or for the first alone.
+    target
+        Says along which axes, and how strong or sharp.
+    outputs, chosen
+        As of `skinsource.inverse.place`; count and keep_apart.
+    """
+    limbs = {name: load_limb(name, digest) for name, digest in people.items()}
+    axes = axes_on(next(iter(people)), target.axes)
+    judging: dict[str, Any] = {"targets": outputs, "axes": axes, "beta": target.beta}
     best: list[Placement] = []
     for name, limb in limbs.items():
         progress(len(best), len(limbs), f"Trying layouts on {short_limb_title(name)}")
-        best.append(place(limb, **wish))
-    found = place(list(limbs.values()), **wish) if asked.everywhere else best[0]
+        best.append(place(limb, stop=stop, **judging, **chosen))
+    found = best[0]
+    if everywhere:
+        found = place(list(limbs.values()), stop=stop, **judging, **chosen)
     return Answer(
         placement=found,
         there=tuple(
@@ -136,7 +134,7 @@ class PlacementPage(ToolPage):
     ) -> None:
         super().__init__(parent, "placement_page", TITLE, _SIZE_PX)
         self._document, self.run = document, PageJobs(runner, self)
-        self.answer: Answer | None = None
+        self.answer = _UNANSWERED
         limb, found = document.design.limb, target_in(document.design)
         self._target = found[1] if found else None
         kind, published = limb.rpartition("-")[0], limb in PUBLISHED
@@ -187,18 +185,17 @@ class PlacementPage(ToolPage):
             self.say(_EMPTY)
             return
         design = self._document.design
-        asked = Question(
-            limb=design.limb,
-            digest=design.limb_digest,
-            people=self._people,
-            everywhere=self.on.value == "people",
-            target=self._target or Target(),
-            outputs=self.which.value,
+        work = partial(
+            answered,
+            dict.fromkeys(self._people, "") | {design.limb: design.limb_digest},
+            self.on.value == "people",
+            self._target or Target(),
+            self.which.value,
             count=round(self.count.value_si),
             keep_apart=not self.pairs.isChecked(),
         )
         self.say("Waiting for other work…")
-        self.run.add(Job(TITLE, partial(answered, asked)))
+        self.run.add(Job(TITLE, work))
 
     def _lay_out(self) -> None:
         form, fields = QtWidgets.QWidget(), {"of": self.of, "outputs": self.which}
@@ -239,7 +236,7 @@ class PlacementPage(ToolPage):
             self.ask()
 
     def _clear(self) -> None:
-        self.answer = None
+        self.answer = _UNANSWERED
         self.table.fill(())
         for part in (self._copy, self._use):
             part.setEnabled(False)
@@ -247,13 +244,10 @@ class PlacementPage(ToolPage):
 
     def _show(self, _job: Job[Answer], answer: Answer) -> None:
         self.answer = answer
-        self.table.fill([self._cells(*each) for each in self._layouts(answer)])
+        self.table.fill([self._cells(*each) for each in answer.rows])
         for part in (self._copy, self._use):
             part.setEnabled(True)
         self.hand.show()
-
-    def _layouts(self, answer: Answer) -> list[tuple[Layout, tuple[Layout, ...]]]:
-        return list(zip(answer.placement.ranked, answer.there, strict=True))
 
     def _words(self, inputs: tuple[int, ...]) -> tuple[str, str]:
         names = (input_name(number, self._people[0]).short_name for number in inputs)
@@ -267,7 +261,7 @@ class PlacementPage(ToolPage):
         return [*words, *((minus(text), minus(hint)) for text, hint in numbers)]
 
     def _show_layout(self, row: int, *_: int) -> None:
-        if self.answer is None or row < 0:
+        if row < 0:
             return
         inputs = self.answer.placement.ranked[row].inputs
         colour = current_theme().input_colour(0)
@@ -278,21 +272,17 @@ class PlacementPage(ToolPage):
 
     def copy(self) -> None:
         """Copy the layouts as a table, with the score on each limb as well."""
-        if self.answer is None:
-            return
         names = [short_limb_title(name) for name in self._people]
         heads = ["Inputs", "Where", "Score, dB", "Loss, dB"]
         heads += [f"{what} on {name}, dB" for name in names for what in ("Score", "Loss")]
         lines: list[Sequence[str | float]] = [heads]
-        for of, there in self._layouts(self.answer):
+        for of, there in self.answer.rows:
             numbers = [db for each in (of, *there) for db in (each.score_db, each.loss_db)]
             lines.append([*self._words(of.inputs), *numbers])
         QtGui.QGuiApplication.clipboard().setText(tab_separated(lines))
 
     def _take(self) -> None:
         """Give the target the chosen inputs; where there is none, one of the asked outputs."""
-        if self.answer is None:
-            return
         inputs = self.answer.placement.ranked[self.table.currentRow()].inputs
         target = replace(self._target or Target(strong=self.which.value), inputs=inputs, most=0)
         outcome = edits.change_target(self._document.design, self._document.view, target)

@@ -152,7 +152,7 @@ class Aiming(QObject):
         """Have the target play its drives, those of an older one as well."""
         design, view = self._document.design, self._document.view
         if solved is None:
-            self.found.emit(Found(design=design, said=(fault_text(error),)))
+            self._show(None, error)
             return
         outcome = edits.solve_target(design, view, solved)
         if isinstance(outcome, Edit) and is_unsolved(design):
@@ -184,10 +184,9 @@ class Aiming(QObject):
         self._worker.run_newest("judge", work, self._show, again=True)
 
     def _show(self, found: Found | None, error: Exception | None) -> None:
-        if found is not None:
-            self.found.emit(found)
-        elif error is not None:
-            self.found.emit(Found(design=self._document.design, said=(fault_text(error),)))
+        if found is None:
+            found = Found(design=self._document.design, said=(fault_text(error),))
+        self.found.emit(found)
 
     def _found_of(self, design: Design, names: tuple[str, ...]) -> Found:
         """Return what is known of a target; give way to one that is to be solved."""

@@ -156,15 +156,12 @@ class Target(fields.CheckedModel):
 
     def painted(self, outputs: tuple[int, ...], brush: str) -> Target:
         """Return a copy with outputs that are ``"strong"`` or ``"quiet"``; else they are free."""
-        strong, quiet = (
-            tuple(output for output in painted if output not in outputs)
-            for painted in (self.strong, self.quiet)
-        )
-        if brush == "strong":
-            strong = (*strong, *outputs)
-        elif brush == "quiet":
-            quiet = (*quiet, *outputs)
-        changes: dict[str, Any] = {"strong": tuple(sorted(strong)), "quiet": tuple(sorted(quiet))}
+        wanted = {"strong": {*self.strong}, "quiet": {*self.quiet}}
+        for which in wanted.values():
+            which.difference_update(outputs)
+        if brush in wanted:
+            wanted[brush].update(outputs)
+        changes: dict[str, Any] = {name: tuple(sorted(which)) for name, which in wanted.items()}
         return replace(self, **changes).taking_drives(self)
 
     def taking_drives(self, solved: Target) -> Target:

@@ -1,5 +1,5 @@
 from . import aiming as aiming
-from .focusing import Focus as Focus
+from .designing import Focus as Focus
 from .focusing import best_single as best_single
 from .focusing import focus as focus
 from .focusing import paint as paint

@@ -16,36 +16,22 @@ import scipy
 
 from skinsource.actuators.equalising import equalised, followed_band
 from skinsource.actuators.prediction import Limits
-from skinsource.actuators.rigs import (
-    Margin,
-    Rig,
-    RigChannel,
-    highest_gain,
-    limits_of,
-    strictest,
-)
+from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain, limits_of, strictest
 from skinsource.base.arguments import checking
-from skinsource.base.conventions import (
-    ALL_AXES,
-    LARGEST_VELOCITY_M_PER_S,
-    Axes,
-    Band,
-    Complexes,
-    Floats,
-)
+from skinsource.base.conventions import LARGEST_VELOCITY_M_PER_S, Band, Complexes, Floats
 from skinsource.base.errors import InvalidInputError, counted, sentence
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.target import BETA, NO_TARGET, Target, conditions_of, target_in
 from skinsource.engine.actuator_demand import profile_of
 from skinsource.engine.shared import Shared
+from skinsource.inverse.designing import Focus, pulse_of
 from skinsource.inverse.drives_in_time import samples_of
-from skinsource.inverse.focusing import Focus, energy_of, focus, paint
+from skinsource.inverse.focusing import energy_of, focus, paint
 from skinsource.inverse.placement import place
-from skinsource.inverse.responses import Responses, bins_of, n_fft_of, responses_of
+from skinsource.inverse.responses import Responses, bins_of, n_fft_of, power_db, responses_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.locations import output_name
-from skinsource.limbs.own_limbs import facts_of
-from skinsource.limbs.scaling import pulse_spectrum
+from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource.perception.validity import fastest_probe
 
 # Energy that counts, as a share of the strongest bin: -60 dB.
@@ -115,7 +101,7 @@ class Aim:
         limb, at_hz = self.limb, self.responses.frequencies_hz
         wave = self.target.waveform.samples(limb.sample_rate_hz)
         pieces, whole = (_pieces(limb, rows, at_hz) for rows in (self.played, wave))
-        pulse = _pulse(limb, at_hz)[:, None]
+        pulse = pulse_of(limb, at_hz)[:, None]
         return np.moveaxis(pieces, 0, -1) / pulse / np.sqrt(np.square(np.abs(whole)).sum())
 
     def of_waveform(self, drives: Complexes) -> Complexes:
@@ -125,9 +111,7 @@ class Aim:
 
     def in_time(self, drives: Complexes, peak: float | None = None) -> Floats:
         """Return the waveform through drives, (n_bins, n_used), in time: (n_used, n_times)."""
-        everywhere = np.zeros_like(self.focus.drives)
-        everywhere[:, np.array(self.places) - 1] = drives
-        playing = replace(self.focus, drives=everywhere)
+        playing = replace(self.focus, used_drives=drives)
         return playing.drives_in_time(self.target.waveform, peak=peak, band_hz=self.band_hz)
 
 
@@ -160,14 +144,12 @@ def aim(target: Target, limb: Limb) -> Aim:
         raise InvalidInputError("No output is strong. Choose one on the skin map.")
     band_hz, at_hz, power = _band_of(target, limb)
     solved = _solved(target, limb, at_hz)
-    responses = responses_of(
-        limb, axes=_axes(target, limb), inputs=solved.inputs, frequencies_hz=at_hz
-    )
+    axes = axes_on(limb.name, target.axes)
     return Aim(
         target=target,
         limb=limb,
         band_hz=band_hz,
-        responses=responses,
+        responses=responses_of(limb, axes=axes, inputs=solved.inputs, frequencies_hz=at_hz),
         power=power,
         focus=solved,
     )
@@ -193,10 +175,6 @@ def aim_of(design: Design) -> Aim:
             "under Output an equaliser for actuators."
         )
     return aim(found[1], limb)
-
-
-def _axes(target: Target, limb: Limb) -> Axes:
-    return target.axes if set(target.axes) <= set(limb.axes) else ALL_AXES
 
 
 def _band_of(target: Target, limb: Limb) -> tuple[Band, Floats, Floats]:
@@ -228,15 +206,8 @@ def _pieces(limb: Limb, samples: Floats, at_hz: Floats) -> Complexes:
     return scipy.fft.rfft(pieces)[..., first : first + at_hz.size]
 
 
-def _pulse(limb: Limb, at_hz: Floats) -> Floats:
-    """Return what a drive of 1 is in the unit of what is played, (n_bins,)."""
-    if limb.per_unit_drive:
-        return np.ones_like(at_hz)
-    return pulse_spectrum(at_hz, limb.sample_rate_hz)
-
-
 def _solved(target: Target, limb: Limb, at_hz: Floats) -> Focus:
-    axes: Axes = _axes(target, limb)
+    axes = axes_on(limb.name, target.axes)
     responses = responses_of(limb, axes=axes, inputs=target.inputs or None, frequencies_hz=at_hz)
     inputs = responses.inputs
     if 0 < target.most < len(inputs):
@@ -291,15 +262,12 @@ class OnLimb:
 
     Attributes
     ----------
-    limb
-        The limb.
     levels_db : (n_outputs,)
         In dB re the strong outputs on the limb for which they were found.
     contrast_db
         Level at the strong outputs over the loudest other one, on this limb.
     """
 
-    limb: Limb
     levels_db: Floats
     contrast_db: float
 
@@ -344,7 +312,7 @@ def _reversed(aim: Aim) -> Complexes:
 
 def _best_single(aim: Aim) -> tuple[int, Complexes]:
     """Return the place that has the most contrast when it plays the waveform, and its drives."""
-    plain = 1.0 / _pulse(aim.limb, aim.responses.frequencies_hz)
+    plain = 1.0 / pulse_of(aim.limb, aim.responses.frequencies_hz)
     energy = np.square(np.abs(aim.responses.values)).sum(axis=2)
     energy = np.einsum("f,foi->oi", aim.power * plain**2, energy)
     contrast = energy[_rows(aim.target.strong)].mean(0) / energy[_rows(quiet_in(aim))].mean(0)
@@ -379,7 +347,7 @@ def _way(aim: Aim, title: str, least: float, drives: Complexes | None = None) ->
     each = np.square(np.abs(spectra)).sum(axis=0)
     contact_db = velocity = nan
     if not limb.per_unit_drive:
-        contacts = _pulse(limb, aim.responses.frequencies_hz) ** 2 @ each
+        contacts = pulse_of(limb, aim.responses.frequencies_hz) ** 2 @ each
         contact_db = float(10.0 * np.log10(contacts.max() / bright))
         velocity = amplitude * fastest_probe(played, limb.sample_rate_hz, limb.band_hz)
     return Way(
@@ -402,8 +370,7 @@ def _power_db(levels_db: Floats, weights: Floats | None = None) -> float:
 
 def _levels_db(responses: Responses, spectra: Complexes, bright: float) -> Floats:
     """Return the level of each output re an energy."""
-    with np.errstate(divide="ignore"):
-        return 10.0 * np.log10(_energy(responses, spectra) / bright)
+    return power_db(_energy(responses, spectra), bright)
 
 
 def _loudest_other(aim: Aim, responses: Responses, levels_db: Floats) -> int:
@@ -421,14 +388,14 @@ def on_limb(aim: Aim, limb: Limb) -> OnLimb:
     """
     responses = responses_of(
         limb,
-        axes=_axes(aim.target, limb),
+        axes=axes_on(limb.name, aim.target.axes),
         inputs=aim.places,
         frequencies_hz=aim.responses.frequencies_hz,
     )
     levels_db = _levels_db(responses, aim.spectra, _bright(aim, aim.spectra))
     loudest = levels_db[_loudest_other(aim, responses, levels_db) - 1]
     contrast_db = _power_db(levels_db[_rows(aim.target.strong)]) - float(loudest)
-    return OnLimb(limb=limb, levels_db=levels_db, contrast_db=contrast_db)
+    return OnLimb(levels_db=levels_db, contrast_db=contrast_db)
 
 
 #: Between sensors a target has to gain so much over the best single input, dB.
@@ -512,7 +479,8 @@ def margin_of(aim: Aim, design: Design) -> Margin:
     if actuation is None or actuation.equaliser is None or not drives:
         return Margin()
     channels, volts = [], []
-    for output, (at, drive) in enumerate(drives.items(), start=1):
+    equaliser, band_hz = actuation.equaliser, followed_band(aim.limb.band_hz, rate_hz)
+    for at, drive in drives.items():
         actuator = actuation.at(at)
         limits = profile_of(actuator).limits
         if design.rig is not None and (wired := design.rig.channel_of(at)) is not None:
@@ -520,12 +488,7 @@ def margin_of(aim: Aim, design: Design) -> Margin:
             device = Limits(peak_voltage_v=None if full is None else abs(full))
             limits = strictest(limits, limits_of(wired), device)
         channels.append(
-            RigChannel(
-                place=at, output=output, model=actuator.model, full_scale_v=1.0, limits=limits
-            )
+            RigChannel(place=at, output=at, model=actuator.model, full_scale_v=1.0, limits=limits)
         )
-        band_hz = followed_band(aim.limb.band_hz, rate_hz)
-        volts.append(
-            equalised(drive, rate_hz, actuator.model, actuation.equaliser, band_hz=band_hz)
-        )
+        volts.append(equalised(drive, rate_hz, actuator.model, equaliser, band_hz=band_hz))
     return highest_gain(Rig(channels=tuple(channels)), list(drives), volts, round(rate_hz))

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal, get_args
 
 import numpy as np
 import scipy
 
 from skinsource.base.arguments import checking, one_of, positive_number
-from skinsource.base.conventions import Band, Complexes, Floats
+from skinsource.base.conventions import Band, Complexes, Floats, Integers
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.design import Design
 from skinsource.design.waveform import Waveform
 from skinsource.inverse.drives_in_time import Cost, played
 from skinsource.inverse.responses import bins_of, gram_of, loading, n_fft_of, power_db
-from skinsource.limbs.limb import LimbFacts
+from skinsource.limbs.limb import Limb, LimbFacts
 from skinsource.limbs.scaling import pulse_spectrum
 from skinsource.signals.generators import window
 from skinsource.signals.loudest_window import loudest_energy, window_samples
@@ -32,8 +34,8 @@ _LEAST_INSIDE = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Solution:
-    """Drives that make one place strong, at each frequency.
+class Focus:
+    """Drives that make one place strong, at each frequency, and what is to be expected of them.
 
     Drives are in units of the measuring pulse, those of own limbs in the unit of their drive.
 
@@ -47,24 +49,39 @@ class Solution:
         Places in use, from 1.
     frequencies_hz : (n_bins,)
         Where it was solved.
-    drives : (n_bins, limb.n_inputs)
-        With them the target's response is 1; 0 for inputs not in use.
+    used_drives : (n_bins, n_used)
+        Of the inputs in use; with them the target's response is 1.
     beta : (n_bins,)
         Regularisation: much is strong, little is sharp.
     row : (n_bins, n_used)
         Responses of the target, along its strongest direction where there are several axes.
     gram : (n_bins, n_used, n_used)
         Sum of conj(G) G over the rows G of what is quiet.
+    mean_contrast_db : (n_bins,)
+        Energy at the target over the mean of the quiet outputs.
+    loudest_other_db : (n_bins,)
+        Energy at the target over that of the loudest other output.
+    loudest_other : (n_bins,)
+        That output, from 1.
+    spread_db : (n_bins,)
+        Energy of the strongest of several targets over that of the weakest.
+    unseen
+        Finds `unseen_contrast_db`, which takes as long as the drives.
     """
 
     limb: LimbFacts
     target: int
     inputs: tuple[int, ...]
     frequencies_hz: Floats
-    drives: Complexes
+    used_drives: Complexes
     beta: Floats
     row: Complexes
     gram: Complexes
+    mean_contrast_db: Floats
+    loudest_other_db: Floats
+    loudest_other: Integers
+    spread_db: Floats
+    unseen: Callable[[], Floats]
 
     def __repr__(self) -> str:
         f = self.frequencies_hz
@@ -76,15 +93,22 @@ class Solution:
         return f"Focus on output {self.target} of {self.limb.name}"
 
     @property
-    def used_drives(self) -> Complexes:
-        """Drives of the inputs in use, (n_bins, n_used)."""
-        return self.drives[:, np.array(self.inputs) - 1]
+    def drives(self) -> Complexes:
+        """Drives of all inputs, (n_bins, limb.n_inputs); 0 for those not in use."""
+        drives = np.zeros((len(self.used_drives), self.limb.n_inputs), complex)
+        drives[:, np.array(self.inputs) - 1] = self.used_drives
+        return drives
+
+    @cached_property
+    def unseen_contrast_db(self) -> Floats:
+        """`mean_contrast_db` at quiet outputs that the design never saw, each left out in turn."""
+        return self.unseen()
 
     @property
     def effort_db(self) -> Floats:
         """Energy of the drives over the least that gives the same at the target, (n_bins,)."""
         energies = (np.square(np.abs(each)).sum(axis=1) for each in (self.used_drives, self.row))
-        return power_db(np.prod(list(energies), axis=0), np.ones(len(self.row)))
+        return power_db(np.prod(list(energies), axis=0))
 
     @property
     def contact_db(self) -> Floats:
@@ -92,12 +116,11 @@ class Solution:
 
         NaN for own limbs, whose drives have no known unit.
         """
-        limb = self.limb
-        if limb.per_unit_drive:
-            return np.full(len(self.drives), np.nan)
-        pulse = pulse_spectrum(self.frequencies_hz, limb.sample_rate_hz)
+        pulse = pulse_of(self.limb, self.frequencies_hz)
+        if self.limb.per_unit_drive:
+            pulse = np.full_like(pulse, np.nan)
         at_target = np.abs((self.row * self.used_drives).sum(axis=1))
-        return power_db(at_target**2, np.square(np.abs(self.drives).max(axis=1) * pulse))
+        return power_db(at_target**2, np.square(np.abs(self.used_drives).max(axis=1) * pulse))
 
     @property
     def delay_s(self) -> float:
@@ -165,10 +188,7 @@ class Solution:
         limb = self.limb
         wave = waveform.samples(limb.sample_rate_hz)
         at_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
-        # What is driven is the probe, which the measuring pulse moves in known ways.
-        pulse = np.ones(at_hz.size)
-        if not limb.per_unit_drive:
-            pulse = pulse_spectrum(at_hz, limb.sample_rate_hz)
+        pulse = pulse_of(limb, at_hz)
         row = _on_bins(self, self.row, -limb.pre_trigger_delay_s) / pulse[:, None]
         shape = _band(at_hz, band_hz)
         if one_of("spectrum", spectrum, SPECTRA) == "natural":
@@ -193,12 +213,22 @@ class Solution:
         return drives
 
 
+def pulse_of(limb: Limb | LimbFacts, at_hz: Floats) -> Floats:
+    """Return what a drive of 1 is in the unit of what is played, (n_bins,).
+
+    What is driven is the probe, which the measuring pulse moves in known ways.
+    """
+    if limb.per_unit_drive:
+        return np.ones_like(at_hz)
+    return pulse_spectrum(at_hz, limb.sample_rate_hz)
+
+
 def _half(limb: LimbFacts) -> int:
     """Return half the length of filters: 204 for responses of 522 taps."""
     return n_fft_of(limb.n_taps) // 5
 
 
-def _on_bins(focus: Solution, values: Complexes, earlier_s: float) -> Complexes:
+def _on_bins(focus: Focus, values: Complexes, earlier_s: float) -> Complexes:
     """Return values at the bins of the transform, (n_bins, …), without their delay of so long.
 
     Between solved frequencies they are straight, beyond them as at the nearest one.
@@ -235,7 +265,7 @@ def _rms_at_target(limb: LimbFacts, drives: Floats, row: Complexes) -> float:
     return float(np.sqrt(loudest_energy(signal, n_window) / n_window))
 
 
-def cost_of(focus: Solution, pulse: Floats, shape: Floats, n_times: int) -> Cost:
+def cost_of(focus: Focus, pulse: Floats, shape: Floats, n_times: int) -> Cost:
     """Return the cost whose least is the focus itself, for drives of ``n_times`` samples."""
     limb, n_used = focus.limb, len(focus.inputs)
     beta, unit = np.where(np.isinf(focus.beta), 1.0, focus.beta), loading(focus.gram)

@@ -60,25 +60,19 @@ class Cost:
         TooInaccurateError
             It is not reached.
         """
-        inverse, b = inverse_of(self.normal), self.cut(wanted)
-        drives = self.cut((inverse @ wanted[..., None])[..., 0])
-        residual = b - self.applied(drives)
-        end = _RESIDUAL * np.linalg.norm(b)
-        direction: Floats = np.zeros_like(b)
-        product = 1.0
-        for _ in range(_MOST_STEPS):
-            if np.linalg.norm(residual) <= end:
-                return drives
-            better = self._through(inverse, residual)
-            previous, product = product, float(np.vdot(residual, better))
-            direction = better + product / previous * direction
-            onward = self.applied(direction)
-            step = product / np.vdot(direction, onward)
-            drives = drives + step * direction
-            residual = residual - step * onward
-        raise TooInaccurateError(
-            "The drives do not settle. Raise beta, or take the fast solution (exact=False)."
+        drives, steps = scipy.sparse.linalg.cg(
+            self._operator(self.normal),
+            self.cut(wanted).ravel(),
+            self.fast(wanted).ravel(),
+            M=self._operator(inverse_of(self.normal)),
+            rtol=_RESIDUAL,
+            maxiter=_MOST_STEPS,
         )
+        if steps:
+            raise TooInaccurateError(
+                "The drives do not settle. Raise beta, or take the fast solution (exact=False)."
+            )
+        return np.asarray(drives.reshape(-1, self.n_times), np.float64)
 
     def within(self, peak: float, b: Floats, start: Floats) -> Floats:
         """Return the least of drives of at most ``peak``, for b in time, (n_used, n_times).
@@ -99,6 +93,14 @@ class Cost:
             pace = 1.0 if uphill else 0.5 * (1.0 + np.sqrt(1.0 + 4.0 * last_pace**2))
             ahead = drives if uphill else drives + (last_pace - 1.0) / pace * moved
         return drives
+
+    def _operator(self, matrices: Complexes) -> scipy.sparse.linalg.LinearOperator:
+        size = self.normal.shape[-1] * self.n_times
+
+        def applied(drives: Floats) -> Floats:
+            return self._through(matrices, drives.reshape(-1, self.n_times)).ravel()
+
+        return scipy.sparse.linalg.LinearOperator((size, size), matvec=applied, dtype=np.float64)
 
     def _through(self, matrices: Complexes, drives: Floats) -> Floats:
         spectra = scipy.fft.rfft(drives, self.n_fft).T

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking, real_number
-from skinsource.base.conventions import Axes, Complexes, Floats, Integers
+from skinsource.base.conventions import Axes, Complexes, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.designing import Solution
+from skinsource.inverse.designing import Focus
 from skinsource.inverse.responses import (
     Responses,
     gram_of,
@@ -35,36 +35,6 @@ LEAST_BETA, MOST_BETA = 1e-6, 1e9
 _REFINEMENTS, _TRIED = 9, 33
 # Of the weights of `quietest`, and of the phases of `paint`.
 _REWEIGHTINGS, _ITERATIONS = 50, 60
-
-
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Focus(Solution):
-    """A solution, and what is to be expected of it.
-
-    Attributes
-    ----------
-    mean_contrast_db : (n_bins,)
-        Energy at the target over the mean of the quiet outputs.
-    loudest_other_db : (n_bins,)
-        Energy at the target over that of the loudest other output.
-    loudest_other : (n_bins,)
-        That output, from 1.
-    spread_db : (n_bins,)
-        Energy of the strongest of several targets over that of the weakest.
-    unseen
-        Finds `unseen_contrast_db`, which takes as long as the drives.
-    """
-
-    mean_contrast_db: Floats
-    loudest_other_db: Floats
-    loudest_other: Integers
-    spread_db: Floats
-    unseen: Callable[[], Floats]
-
-    @cached_property
-    def unseen_contrast_db(self) -> Floats:
-        """`mean_contrast_db` at quiet outputs that the design never saw, each left out in turn."""
-        return self.unseen()
 
 
 @checking
@@ -279,8 +249,8 @@ def paint(
     """
     wish = Wish.of(limb, list(strong), list(quiet), axes, inputs, frequencies_hz)
     of_strong, of_quiet = (
-        np.array([_checked_weight(weight) for weight in weights.values()])
-        for weights in (strong, quiet)
+        np.array([real_number("weight", each, "a number above 0", least=1e-9) for each in weights])
+        for weights in (strong.values(), quiet.values())
     )
     # Few strong outputs count as much as many quiet ones.
     roots = np.sqrt(of_strong * of_quiet.sum() / of_strong.sum())
@@ -385,15 +355,12 @@ class Wish:
         strong, quiet = (energy[:, np.array(which) - 1] for which in (self.strong, self.quiet))
         others = np.array(sorted({*self.quiet, *self.responses.others} - {*self.strong}))
         bright, of_others = strong.mean(axis=1), energy[:, others - 1]
-        limb = self.responses.limb
-        everywhere = np.zeros((len(drives), limb.n_inputs), complex)
-        everywhere[:, np.array(self.responses.inputs) - 1] = drives
         return Focus(
-            limb=limb,
+            limb=self.responses.limb,
             target=self.strong[0],
             inputs=self.responses.inputs,
             frequencies_hz=self.responses.frequencies_hz,
-            drives=everywhere,
+            used_drives=drives,
             beta=beta,
             row=self.row,
             gram=self.gram,
@@ -420,7 +387,7 @@ class Wish:
         at_strong = np.einsum("fri,foi->fro", of_strong, drives[:, None] + back)
         bright = np.square(np.abs(at_strong)).sum(axis=1) / len(self.strong)
         ratio = np.square(np.abs(unseen)).sum(axis=(2, 3)) / bright
-        return -power_db(ratio.mean(axis=1), np.ones(len(ratio)))
+        return -power_db(ratio.mean(axis=1))
 
 
 def loaded(
@@ -539,7 +506,3 @@ def checked_beta(beta: float) -> float:
 
 def _checked_effort(value: float) -> float:
     return real_number("effort_db", value, "a number of 0 dB or more", least=0.0)
-
-
-def _checked_weight(weight: float) -> float:
-    return real_number("weight", weight, "a number above 0", least=1e-9)

@@ -10,7 +10,7 @@ from math import comb
 import numpy as np
 
 from skinsource.base.arguments import checking, integer
-from skinsource.base.conventions import Axes, Complexes, Floats, Indices
+from skinsource.base.conventions import Axes, Floats, Indices
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.inverse.focusing import checked_beta
@@ -297,7 +297,7 @@ def _scorer(responses: Responses, targets: Sequence[int], beta: float, stop: Sto
             stop_if(stop)
             of_target = np.moveaxis(rows[:, target][..., sets], 1, 2)
             reached = of_target @ inverse @ of_target.conj().swapaxes(2, 3)
-            largest = _largest(reached)
+            largest = np.linalg.eigvalsh(reached)[..., -1].astype(np.float64, copy=False)
             if among[target]:
                 # R holds the rows of the target as well; taken out they give this.
                 largest = largest / (1.0 - largest)
@@ -305,9 +305,3 @@ def _scorer(responses: Responses, targets: Sequence[int], beta: float, stop: Sto
         return 10.0 * total / len(checked)
 
     return scores
-
-
-def _largest(matrices: Complexes) -> Floats:
-    if matrices.shape[-1] == 1:
-        return matrices[..., 0, 0].real
-    return np.linalg.eigvalsh(matrices)[..., -1].astype(np.float64, copy=False)

@@ -137,7 +137,7 @@ def reproduce(
     >>> print(found.waveforms.shape, found.nmse_db[30] < -10.0)
     (20, 390) True
     """
-    limb = limb_of(limb)
+    limb, peak = limb_of(limb), None if peak is None else positive_number("peak", peak)
     n_times = sample_count(positive_number("length_s", length_s), limb.sample_rate_hz)
     signals = [_checked_signal(each, n_times) for each in wanted.values()]
     if not signals:
@@ -166,7 +166,10 @@ def reproduce(
     b = np.zeros(normal.shape[:2], complex)
     spectra = scipy.fft.rfft(delayed)[:, driven]
     b[driven] = weight * np.einsum("fri,rf->fi", rows.conj(), spectra)
-    drives = _solved(Cost(normal=normal, n_fft=n_fft, n_times=n_times), b, peak, exact)
+    cost = Cost(normal=normal, n_fft=n_fft, n_times=n_times)
+    drives = cost.exact(b) if exact else cost.fast(b)
+    if peak is not None and np.abs(drives).max() > peak:
+        drives = cost.within(peak, cost.cut(b), drives)
     reached = np.zeros((len(outputs), at_hz.size), complex)
     of_drives = scipy.fft.rfft(drives, n_fft)[:, driven]
     reached[:, driven] = np.einsum("fri,if->rf", rows, of_drives)
@@ -180,14 +183,6 @@ def reproduce(
         delay_s=delay / limb.sample_rate_hz,
         nmse_db=dict(zip(outputs, nmse_db.tolist(), strict=True)),
     )
-
-
-def _solved(cost: Cost, b: Complexes, peak: float | None, exact: bool) -> Floats:
-    most = None if peak is None else positive_number("peak", peak)
-    drives = cost.exact(b) if exact else cost.fast(b)
-    if most is None or np.abs(drives).max() <= most:
-        return drives
-    return cost.within(most, cost.cut(b), drives)
 
 
 def _checked_signal(samples: ArrayLike, n_times: int) -> Floats:

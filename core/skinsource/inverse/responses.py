@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -26,9 +25,6 @@ HAND_OUTPUTS = tuple(range(1, 43))
 PERPENDICULAR_INPUTS = tuple(range(6, 21))
 #: Above it responses of the published limbs are mostly noise.
 HIGHEST_HZ = 400.0
-
-#: A limb, or its name.
-LimbOrName: TypeAlias = Limb | str
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -149,7 +145,8 @@ def responses_of(
         raise InvalidInputError(f"inputs are {list(used)}, expected one place or more, each once")
     if frequencies_hz is None:
         top_hz = min(band[1], HIGHEST_HZ) if published else band[1]
-        at_hz = bins_hz(limb, (band[0], top_hz))
+        all_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
+        at_hz = all_hz[(all_hz >= band[0]) & (all_hz <= top_hz)]
     else:
         at_hz = _checked_frequencies(frequencies_hz, band)
     known = _RESPONSES.setdefault(limb, {})
@@ -164,12 +161,6 @@ def responses_of(
 _MOST = 8
 _Key = tuple[tuple[int, ...], tuple[int, ...], bytes]
 _RESPONSES: WeakKeyDictionary[Limb, dict[_Key, Responses]] = WeakKeyDictionary()
-
-
-def bins_hz(limb: Limb | LimbFacts, band_hz: Band) -> Floats:
-    """Return the bins of the transform within a band, (n_bins,)."""
-    all_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
-    return all_hz[(all_hz >= band_hz[0]) & (all_hz <= band_hz[1])]
 
 
 def _checked_frequencies(frequencies_hz: ArrayLike, band: Band) -> Floats:
@@ -196,10 +187,9 @@ def spectra_of(limb: Limb, axes: Axes, inputs: tuple[int, ...], at_hz: Floats) -
     values = (rows @ np.cos(phase) - 1j * (rows @ np.sin(phase))).reshape(*taps.shape[:3], -1)
     noises = [place_noise(limb, place) for place in inputs]
     known = [noise[:, numbers] for noise in noises if noise is not None]
-    sizes = {each.name: getattr(limb, each.name, None) for each in fields(LimbFacts)}
-    given = {name: value for name, value in sizes.items() if value is not None}
+    names = (each.name for each in fields(LimbFacts) if hasattr(limb, each.name))
     return Responses(
-        limb=replace(facts_of(limb.name), **given),
+        limb=replace(facts_of(limb.name), **{name: getattr(limb, name) for name in names}),
         inputs=inputs,
         frequencies_hz=at_hz,
         values=np.ascontiguousarray(np.moveaxis(values, (3, 0), (0, 3))),
@@ -218,7 +208,7 @@ def gram_of(rows: Complexes) -> Complexes:
     return rows.conj().swapaxes(1, 2) @ rows
 
 
-def power_db(energy: Floats, reference: Floats) -> Floats:
+def power_db(energy: Floats, reference: Floats | float = 1.0) -> Floats:
     """Return 10 log10(energy / reference); NaN where both are 0."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return 10.0 * (np.log10(energy) - np.log10(reference))

@@ -7,7 +7,6 @@ others alone: places, and inputs, are the nearer the more their mean levels are 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -22,26 +21,13 @@ _ALL, _BY_INPUT, _BY_PLACE, _BY_BOTH, _NOISE = 2.0, 4.0, 4.0, 8.0, 4.0
 _LENGTH = 0.6
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Carried:
-    """Levels of a person, some of them measured.
-
-    Attributes
-    ----------
-    mean_db : (n_outputs, n_inputs)
-        The likeliest.
-    remaining : (n_outputs, n_inputs)
-        Which part of the deviation from the mean of people remains, 0 to 1.
-    """
-
-    mean_db: Floats
-    remaining: Floats
-
-
 def carried(
     theirs_db: Floats, own_db: Floats, rows: Sequence[int], columns: Sequence[int]
-) -> Carried:
-    """Return the levels of a person at all places.
+) -> tuple[Floats, Floats]:
+    """Return the likeliest levels of a person at all places, dB, and what is not known of them.
+
+    That is which part of the deviation from the mean of people remains, 0 to 1.  Both are
+    (n_outputs, n_inputs).
 
     Parameters
     ----------
@@ -68,10 +54,8 @@ def carried(
     difference = (own_db - mean_db[known]).ravel() @ solved
     prior = _ALL + _BY_INPUT + _BY_PLACE + _BY_BOTH + _NOISE
     known_share = np.einsum("ij,ji->i", onward, solved) / prior
-    return Carried(
-        mean_db=mean_db + difference.reshape(mean_db.shape),
-        remaining=np.sqrt(1.0 - known_share).reshape(mean_db.shape),
-    )
+    remaining = np.sqrt(1.0 - known_share)
+    return mean_db + difference.reshape(mean_db.shape), remaining.reshape(mean_db.shape)
 
 
 def _kernel(levels_db: Floats) -> Floats:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking
-from skinsource.base.conventions import Axes, Floats
+from skinsource.base.conventions import Axes
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.focusing import Focus, energy_of, loaded, quiet_of, target_row
+from skinsource.inverse.designing import Focus
+from skinsource.inverse.focusing import Wish, energy_of, loaded, quiet_of
 from skinsource.inverse.responses import gram_of, power_db, responses_of
 from skinsource.limbs.limb import Limb
 from skinsource.people.others import check_same_places, people_of
@@ -76,40 +78,22 @@ def focus(
         responses_of(limb, axes=axes, inputs=inputs, frequencies_hz=frequencies_hz)
         for limb in people
     ]
-    at_hz = theirs[0].frequencies_hz
-    own = responses_of(partial.limb, axes=axes, inputs=inputs, frequencies_hz=at_hz)
-    row = target_row(own, own.check_target(target))
     quiet = quiet_of(theirs[0], [target], None)
+    wish = Wish.of(partial.limb, [target], quiet, axes, inputs, theirs[0].frequencies_hz)
     grams = np.stack([gram_of(each.rows(quiet)) for each in theirs])
-    drives, beta = loaded(row, grams.mean(axis=0))
-    chosen = np.array(quiet) - 1
-
-    def energies(of: int, but: int | None = None) -> Floats:
-        """Return the energy of quiet outputs of one of the others, whom the design may not know."""
-        known = grams if but is None else np.delete(grams, but, axis=0)
-        tried = drives if but is None else loaded(row, known.mean(axis=0))[0]
-        return energy_of(theirs[of], tried)[:, chosen]
-
-    everyone = range(len(theirs))
-    seen = np.stack([energies(k) for k in everyone])
+    drives, beta = loaded(wish.row, grams.mean(axis=0))
+    seen = np.stack([energy_of(each, drives) for each in theirs])
     unseen = np.full_like(seen, np.nan)
-    if len(theirs) > 1:
-        unseen = np.stack([energies(k, but=k) for k in everyone])
-    one = np.ones(len(row))
-    everywhere = np.zeros((len(row), partial.limb.n_inputs), complex)
-    everywhere[:, np.array(own.inputs) - 1] = drives
-    return Focus(
-        limb=own.limb,
-        target=target,
-        inputs=own.inputs,
-        frequencies_hz=own.frequencies_hz,
-        drives=everywhere,
-        beta=beta,
-        row=row,
+    for k in range(len(theirs) if len(theirs) > 1 else 0):
+        # The design does not know the one whose energy it is.
+        tried, _ = loaded(wish.row, np.delete(grams, k, axis=0).mean(axis=0))
+        unseen[k] = energy_of(theirs[k], tried)
+    seen, unseen = (energy[..., np.array(quiet) - 1] for energy in (seen, unseen))
+    return replace(
+        wish.solved(drives, beta, lambda: wish.gram),
         gram=grams.mean(axis=0),
-        mean_contrast_db=power_db(one, seen.mean(axis=(0, 2))),
-        loudest_other_db=power_db(one, unseen.max(axis=2).mean(axis=0)),
-        loudest_other=np.zeros(len(row), dtype=np.int64),
-        spread_db=np.zeros(len(row)),
-        unseen=lambda: power_db(one, unseen.mean(axis=(0, 2))),
+        mean_contrast_db=-power_db(seen.mean(axis=(0, 2))),
+        loudest_other_db=-power_db(unseen.max(axis=2).mean(axis=0)),
+        loudest_other=np.zeros(len(drives), dtype=np.int64),
+        unseen=lambda: -power_db(unseen.mean(axis=(0, 2))),
     )

@@ -9,12 +9,7 @@ import numpy as np
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import Floats
 from skinsource.limbs.limb import Limb
-from skinsource.people.others import (
-    band_levels_db,
-    check_same_places,
-    hand_outputs,
-    people_of,
-)
+from skinsource.people.others import band_levels_db, check_same_places, hand_outputs, people_of
 from skinsource.people.partial_limb import PartialLimb
 
 #: By how much another place must be more alike: chosen for 5 % false alarms on four people, with

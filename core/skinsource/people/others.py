@@ -9,7 +9,7 @@ import scipy
 
 from skinsource.base.conventions import ALL_AXES, LIMB_NAMES, Axes, Band, Floats, axis_numbers
 from skinsource.base.errors import InvalidInputError
-from skinsource.inverse.responses import HAND_OUTPUTS, n_fft_of, power_db, responses_of
+from skinsource.inverse.responses import HAND_OUTPUTS, bins_of, n_fft_of, power_db, responses_of
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import PUBLISHED, Limb
 
@@ -80,11 +80,11 @@ def band_levels_db(
     above half the sample rate are left out.
     """
     n_fft, numbers = n_fft_of(limb.n_taps), axis_numbers(axes, limb.axes)
-    at_hz = np.arange(n_fft // 2 + 1) * limb.sample_rate_hz / n_fft
+    at_hz = bins_of(n_fft, limb.sample_rate_hz)
     within = [(at_hz >= low) & (at_hz < high) for low, high in bands_hz if high <= at_hz[-1]]
     energies = [
         np.square(np.abs(scipy.fft.rfft(limb.response_to(place)[:, numbers], n_fft))).sum(axis=1)
         for place in inputs
     ]
     means = [[energy[:, bins].mean(axis=1) for energy in energies] for bins in within]
-    return power_db(np.swapaxes(means, 1, 2), np.ones(1))
+    return power_db(np.swapaxes(means, 1, 2))

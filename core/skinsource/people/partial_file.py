@@ -27,6 +27,7 @@ from skinsource.limbs.limb_layout import (
     attribute_of,
     limb_file_error,
     number_of,
+    response_blocks,
     responses_in,
     text_of,
 )
@@ -157,9 +158,6 @@ def contents(path: Path) -> Iterator[Any]:
             if places.ndim != 1 or places.dtype.kind not in "iu":
                 raise limb_file_error(path, f"{name} are {quoted(places)}", "numbers of places")
             header[name] = places.tolist()
-        responses = responses_in(file, path)
-        header["shape"] = [int(n) for n in responses.shape]
-        yield header
-        for number in range(responses.shape[0]):
-            response = np.asarray(responses[number], np.float64)
-            yield response.reshape(-1, response.shape[-1])
+        header["shape"] = [int(n) for n in responses_in(file, path).shape]
+    yield header
+    yield from response_blocks(path, "", "")

@@ -155,12 +155,12 @@ def _drawn_in(
     for track in tracks:
         theirs_db = np.stack([each.levels_from(design, track, everywhere) for each in players])
         own_db = player.levels_from(design, track, own.inputs)[measured]
-        found = carried(theirs_db[:, hand], own_db, rows, columns)
+        likeliest_db, remains = carried(theirs_db[:, hand], own_db, rows, columns)
         column = track.location - 1
         usual_db = theirs_db[:, hand, column].mean(axis=0)
         energies.append(10.0 ** (usual_db / 10.0))
-        differences.append(found.mean_db[:, column] - usual_db)
-        remaining.append(found.remaining[:, column])
+        differences.append(likeliest_db[:, column] - usual_db)
+        remaining.append(remains[:, column])
     shares = np.stack(energies) / np.sum(energies, axis=0)
     mean_db, half_db = mean_db.copy(), half_db.copy()
     mean_db[hand] += (shares * differences).sum(axis=0)

@@ -38,14 +38,9 @@ from skinsource_gui.fields.editors import new_editor
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.parts import PartFields
 from skinsource_gui.fields.units import minus
-from skinsource_gui.plots.small_map import (
-    LEAST_MAP_PX,
-    map_grid,
-    paint_rings,
-    paint_small_map,
-)
+from skinsource_gui.plots.small_map import LEAST_MAP_PX, map_grid, paint_rings, paint_small_map
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
-from skinsource_gui.qt.labels import set_table_look
+from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.resources import columns_of
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
@@ -76,58 +71,45 @@ def level_text(level_db: float) -> str:
     return minus(f"{level_db:+z.1f} dB")
 
 
-def row_of(way: Way, limb: str) -> tuple[str, ...]:
-    """Return the texts of a row of the table."""
-    name = output_name(way.loudest, limb).short_name
+def row_of(way: Way, limb: str) -> tuple[tuple[str, str], ...]:
+    """Return text and tooltip of each cell of a row of the table."""
+    name = output_name(way.loudest, limb)
     speed = way.velocity_m_per_s
     return (
-        way.title,
-        f"{level_text(way.loudest_db)}, {name}",
-        level_text(way.quiet_db),
-        level_text(way.between_db),
-        level_text(way.contact_db),
-        f"{way.effort_db:z.1f} dB",
-        "not known" if isnan(speed) else f"{1e3 * speed:.2g} of {_LIMIT_MM_S:g}",
+        (way.title, ""),
+        (f"{level_text(way.loudest_db)}, {name.short_name}", name.name),
+        (level_text(way.quiet_db), ""),
+        (level_text(way.between_db), ""),
+        (level_text(way.contact_db), ""),
+        (f"{way.effort_db:z.1f} dB", ""),
+        ("not known" if isnan(speed) else f"{1e3 * speed:.2g} of {_LIMIT_MM_S:g}", ""),
     )
 
 
-class WaysTable(QtWidgets.QTableWidget):
+class WaysTable(RowTable):
     """A row for each way to reach a target."""
 
     def __init__(self) -> None:
-        super().__init__(0, len(COLUMNS))
-        named(self, "target_ways", "Ways to the target")
-        set_table_look(self)
-        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
+        super().__init__("target_ways", "Ways to the target", COLUMNS, wide=())
         self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.NoSelection)
         policy = QtWidgets.QSizePolicy.Policy
         self.setSizePolicy(policy.Expanding, policy.Fixed)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        for column, (title, meaning) in enumerate(COLUMNS.items()):
-            head = QtWidgets.QTableWidgetItem(title)
-            head.setToolTip(meaning)
-            self.setHorizontalHeaderItem(column, head)
 
     def show_ways(self, ways: tuple[Way, ...], limb: str) -> None:
         """Show what ways do on a limb."""
-        self.setRowCount(len(ways))
+        self.fill([row_of(way, limb) for way in ways])
         for row, way in enumerate(ways):
-            items = [QtWidgets.QTableWidgetItem(text) for text in row_of(way, limb)]
-            for column, item in enumerate(items):
-                self.setItem(row, column, item)
-            items[1].setToolTip(output_name(way.loudest, limb).name)
-            if way.velocity_m_per_s > LARGEST_VELOCITY_M_PER_S:
-                items[-1].setForeground(QtGui.QColor(current_theme().error))
+            speed = self.item(row, len(COLUMNS) - 1)
+            if speed and way.velocity_m_per_s > LARGEST_VELOCITY_M_PER_S:
+                speed.setForeground(QtGui.QColor(current_theme().error))
 
     def sizeHint(self) -> QSize:
         rows = 3 * self.verticalHeader().defaultSectionSize()
         height = self.horizontalHeader().sizeHint().height() + rows + 2 * self.frameWidth()
         return QSize(super().sizeHint().width(), height)
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(super().minimumSizeHint().width(), self.sizeHint().height())
 
 
 class PeopleMaps(QtWidgets.QWidget):

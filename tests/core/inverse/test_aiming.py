@@ -21,11 +21,6 @@ LIMB = "synthetic-1"
 TARGET = Target(strong=(30,), waveform=Tone(100.0, duration_s=0.2))
 
 
-@pytest.fixture(scope="module")
-def limb():
-    return ss.load_limb(LIMB)
-
-
 def solved(target=TARGET, **changes):
     """A design that plays a target."""
     design = Design(limb=LIMB, **changes)

@@ -19,11 +19,6 @@ LOUDEST = ss.View(axes="z", span="loudest")
 
 
 @pytest.fixture(scope="module")
-def limb():
-    return ss.load_limb("synthetic-1")
-
-
-@pytest.fixture(scope="module")
 def focus(limb):
     return ss.inverse.focus(limb, TARGET)
 

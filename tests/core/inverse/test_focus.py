@@ -13,11 +13,6 @@ TARGET = 30
 
 
 @pytest.fixture(scope="module")
-def limb():
-    return ss.load_limb("synthetic-1")
-
-
-@pytest.fixture(scope="module")
 def responses(limb):
     return responses_of(limb, frequencies_hz=AT_HZ)
 

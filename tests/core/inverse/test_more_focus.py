@@ -12,11 +12,6 @@ AT_HZ = [60.0, 100.0, 250.0]
 TARGET = 30
 
 
-@pytest.fixture(scope="module")
-def limb():
-    return ss.load_limb("synthetic-1")
-
-
 def test_time_reversal_needs_the_least_effort_and_knows_no_quiet_output(limb):
     found = ss.inverse.time_reversal(limb, TARGET, frequencies_hz=AT_HZ)
     np.testing.assert_allclose(found.effort_db, 0.0, atol=1e-12)

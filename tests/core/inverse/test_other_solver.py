@@ -64,11 +64,6 @@ def test_it_finds_the_same_drives_within_a_peak(seed):
     assert db(reached, problem.value) < 1e-3
 
 
-@pytest.fixture(scope="module")
-def limb():
-    return ss.load_limb("synthetic-1")
-
-
 @pytest.mark.parametrize("seed", PROBLEMS)
 def test_it_finds_the_same_loudest_quiet_output(limb, seed):
     rng = np.random.default_rng(seed)

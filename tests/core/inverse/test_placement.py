@@ -13,11 +13,6 @@ from skinsource.inverse.placement import FINGERTIPS, SAME_FINGERTIP
 TIPS = list(FINGERTIPS)
 
 
-@pytest.fixture(scope="module")
-def limb():
-    return ss.load_limb("synthetic-1")
-
-
 def score(limb, inputs, targets=(30,), candidates=range(1, 21), axes="z", beta=0.3):
     """The score by its formula, with λ that of all candidates."""
     total = []

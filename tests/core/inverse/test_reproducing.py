@@ -17,11 +17,6 @@ FEW = {"quiet": [9, 20], "inputs": [7, 12, 13], "length_s": 0.08}
 
 
 @pytest.fixture(scope="module")
-def limb():
-    return ss.load_limb("synthetic-1")
-
-
-@pytest.fixture(scope="module")
 def problem():
     """A cost with random responses, (5 rows, 3 inputs, 40 taps), and the wanted rows."""
     rng = np.random.default_rng(2)

@@ -83,13 +83,10 @@ def _drives_and_layouts(designs: tuple[Design, ...]) -> Wanted:
     first, carried, own = designs
     aims = [aim_of(first), aim_of(own)]
     kind = first.limb.partition("-")[0]
-    others = [f"{kind}-{k}" for k in (2, 3, 4)]
-    at_home = on_limb(aims[0], aims[0].limb).contrast_db
-    theirs, of_their_own = [], []
-    for name in others:
-        limb = load_limb(name)
-        theirs.append(on_limb(aims[0], limb).contrast_db)
-        of_their_own.append(on_limb(aim_of(replace(own, limb=name)), limb).contrast_db)
+    others = [load_limb(f"{kind}-{k}") for k in (2, 3, 4)]
+    theirs = [on_limb(aims[0], limb).contrast_db for limb in others]
+    each_own = [aim_of(replace(own, limb=limb.name)) for limb in others]
+    at_home, *of_their_own = (on_limb(aim, aim.limb).contrast_db for aim in (aims[0], *each_own))
     text = (
         f"The place lies over the loudest other output by {_db(at_home)} on limb 1; on limbs 2, 3 "
         f"and 4 by {_listed(theirs)} with the drives of limb 1, and by {_listed(of_their_own)} "
