@@ -43,6 +43,7 @@ from .export.result import result as result
 from .export.stimulus_export.export import export_stimulus as export_stimulus
 from .export.stimulus_export.options import StimulusOptions as StimulusOptions
 from .export.wiring import export_wiring as export_wiring
+from .lab import calibrating as calibrating
 from .lab import matching as matching
 from .lab import rig_measuring as rig_measuring
 from .limbs import locations as locations

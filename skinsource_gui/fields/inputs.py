@@ -4,7 +4,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
+from weakref import finalize
 
+import numpy as np
 from PySide6 import QtWidgets
 
 from skinsource.base.conventions import Floats
@@ -17,6 +19,7 @@ from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects.time import stretched_by
 from skinsource.design.waveform import Waveform
 from skinsource.signals.generators import sample_count
+from skinsource.signals.resampling import peaks_between
 from skinsource.specs.models import specs_of
 from skinsource_gui.qt.keys import KEYS, key_text
 
@@ -112,6 +115,19 @@ def played_of(results: Mapping[str, Any]) -> dict[int, Floats]:
     """Return what tracks play before their amplitude, by their ids, with input_waveforms."""
     played = zip(results["inputs"], results["input_waveforms"], strict=True)
     return {track.id: samples for track, samples in played if samples is not None}
+
+
+# Kept as long as the arrays: what an edit leaves alone stays the same array.
+_PEAKS: dict[int, float] = {}
+
+
+def peak_of(played: Floats) -> float:
+    """Return the peak of what a track plays, between its samples too."""
+    key = id(played)
+    if key not in _PEAKS:
+        finalize(played, _PEAKS.pop, key, None)
+        _PEAKS[key] = float(peaks_between(played[np.newaxis])[0])
+    return _PEAKS[key]
 
 
 #: Makes an edit of the inputs with these ids.

@@ -10,5 +10,7 @@ from .matching import MatchingPage as MatchingPage
 from .motion import MotionPage as MotionPage
 from .placement import PlacementPage as PlacementPage
 from .rig.page import RigPage as RigPage
+from .rig.page import setup_of as setup_of
+from .rig.page import setup_text as setup_text
 from .scenes import ScenesPage as ScenesPage
 from .show import ShowPage as ShowPage

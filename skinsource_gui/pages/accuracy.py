@@ -30,6 +30,7 @@ from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.row_table import RowTable
 from skinsource_gui.qt.theme import current_theme

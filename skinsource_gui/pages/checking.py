@@ -37,6 +37,7 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import Tick
 from skinsource_gui.qt.fitting import fit_to_letters
+from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.resources import choice_of, columns_of, number_named

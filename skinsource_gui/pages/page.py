@@ -1,4 +1,4 @@
-"""The base of the pages that a menu opens, and of their tables."""
+"""The base of the pages that a menu opens."""
 
 from collections.abc import Callable
 from functools import partial

@@ -30,6 +30,7 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import Mark, drawing_of
 from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named
 from skinsource_gui.qt.questions import tab_separated
 from skinsource_gui.qt.resources import choice_of, columns_of, number_named

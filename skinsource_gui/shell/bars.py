@@ -143,24 +143,27 @@ _Style = Qt.ToolButtonStyle
 
 
 class WorkspaceButtons(QtWidgets.QWidget):
-    """Buttons beside each other, one for each workspace; where there is no room, a menu of them."""
+    """Buttons beside each other, one for each workspace; where there is no room, a menu of them.
+
+    The last one has a button only once it is offered, or shown.
+    """
 
     def __init__(self, actions: Sequence[QtGui.QAction]) -> None:
         super().__init__()
         self.setObjectName("workspaces")
         self._buttons = [_button(action, _Style.ToolButtonTextOnly) for action in actions]
+        self._last, self._folded, self._offered = actions[-1], False, False
         self._menu = named(QtWidgets.QToolButton(), "workspace_menu")
         menu_of(self._menu).addActions(list(actions))
         in_row(*self._buttons, self._menu, of=self, margins=0, gap_px=2)
         for action in actions:
             action.toggled.connect(self._name)
         self._name()
-        self.fold(False)
 
     @property
     def whole_px(self) -> int:
         """Width of all buttons."""
-        return sum(button.sizeHint().width() + 2 for button in self._buttons)
+        return sum(button.sizeHint().width() + 2 for button in self._offers)
 
     @property
     def folded_px(self) -> int:
@@ -169,11 +172,22 @@ class WorkspaceButtons(QtWidgets.QWidget):
 
     def fold(self, folded: bool) -> None:
         """Show the menu, or all buttons."""
+        self._folded, shown = folded, self._offers
         for button in self._buttons:
-            button.setHidden(folded)
+            button.setHidden(folded or button not in shown)
         self._menu.setVisible(folded)
 
+    def offer_last(self, offered: bool) -> None:
+        """Show the button of the last workspace from now on, or only while that is shown."""
+        self._offered = offered
+        self.fold(self._folded)
+
+    @property
+    def _offers(self) -> list[QtWidgets.QToolButton]:
+        return self._buttons[: None if self._offered or self._last.isChecked() else -1]
+
     def _name(self) -> None:
+        self.fold(self._folded)
         chosen = [button.text() for button in self._buttons if button.isChecked()]
         self._menu.setText("".join(chosen))
         self._menu.setAccessibleName(f"Workspace: {''.join(chosen)}")
@@ -241,6 +255,11 @@ class HeadLine(QtWidgets.QWidget):
         The list under the undo arrow.
     workspaces
         Actions of the workspaces.
+
+    Attributes
+    ----------
+    workspaces
+        Their buttons.
     """
 
     def __init__(
@@ -273,10 +292,10 @@ class HeadLine(QtWidgets.QWidget):
         undo.setMenu(steps)
         undo.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         self._menus, self._choices = menus, choices
-        self._workspaces = WorkspaceButtons(workspaces)
+        self.workspaces = WorkspaceButtons(workspaces)
         self._steady = transport, undo, redo
         in_row(
-            *(menus, _line(), undo, redo, _line(), transport, None, self._workspaces),
+            *(menus, _line(), undo, redo, _line(), transport, None, self.workspaces),
             *(None, choices, self._search),
             of=self,
             margins=(0, 2, UNIT_PX // 2, 2),
@@ -305,16 +324,16 @@ class HeadLine(QtWidgets.QWidget):
         menus, choices = self._menus.sizeHint().width(), self._choices.sizeHint().width()
         rest = sum(part.sizeHint().width() for part in self._steady)
         rest += self._steady[-1].sizeHint().width() + (row.count() - 1) * row.spacing()
-        whole = rest + menus + choices + self._workspaces.whole_px
+        whole = rest + menus + choices + self.workspaces.whole_px
         name_px = self.fontMetrics().horizontalAdvance(self._search.text()) + 2 * UNIT_PX
         named = whole + name_px <= self.width()
         self._search.setToolButtonStyle(
             _Style.ToolButtonTextBesideIcon if named else _Style.ToolButtonIconOnly
         )
-        self._workspaces.fold(whole > self.width())
+        self.workspaces.fold(whole > self.width())
         # One menu stays in any case; in letters three times as large on a small screen the
         # palette has the choices.
-        room = self.width() - rest - self._workspaces.folded_px
+        room = self.width() - rest - self.workspaces.folded_px
         least = self.fontMetrics().horizontalAdvance("File") + 5 * UNIT_PX
         kept = self._choices.minimumSizeHint().width()
         self._choices.setHidden(room < least + kept)

@@ -49,6 +49,7 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=LazyPanel("compare", "Compare"), settings=CompareSettings),
     PanelSpec(panel=LazyPanel("library", "Library")),
     PanelSpec(panel=LazyPanel("output", "Output"), settings=OutputSettings),
+    PanelSpec(panel=LazyPanel("calibration", "Calibration")),
     PanelSpec(panel=LazyPanel("analysis", "Analysis"), settings=AnalysisSettings),
     PanelSpec(
         panel=LazyPanel("analysis_2", "Analysis 2", folder="analysis"), settings=AnalysisSettings

@@ -34,6 +34,7 @@ from skinsource_gui.shell import docks
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance, WindowFrame
 from skinsource_gui.shell.bars import HeadLine, SetupBar, StepsMenu, choice_action
+from skinsource_gui.shell.calibrating import Calibrating
 from skinsource_gui.shell.carrying import PanelPictures
 from skinsource_gui.shell.conditions import Conditions
 from skinsource_gui.shell.focus import ShortcutsInFields, move_focus
@@ -45,7 +46,7 @@ from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.playing import Playback
 from skinsource_gui.shell.presenting import Presenter
 from skinsource_gui.shell.status import Accuracy, JobBar, MatchNote, StatusLine
-from skinsource_gui.shell.workspaces import WORKSPACES, Workspaces
+from skinsource_gui.shell.workspaces import LAB, WORKSPACES, Workspaces
 from skinsource_gui.state.aiming import Aiming
 from skinsource_gui.state.comparison import Comparison
 from skinsource_gui.state.conductor import Conductor, PanelController
@@ -308,6 +309,9 @@ class MainWindow(QtWidgets.QMainWindow):
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = Levelling(self.document, self.runner, self)
         self.aiming = Aiming(services, self.workspaces.bring)
+        self.calibrating = Calibrating(
+            services, self.playback.player, partial(self.workspaces.choose, LAB)
+        )
         self.presenter = Presenter(
             services, self.files, self.workspaces, lambda: self.actions_by_name
         )
@@ -327,6 +331,7 @@ class MainWindow(QtWidgets.QMainWindow):
             "jobs": self.runner,
             "levelling": self.levelling,
             "aiming": self.aiming,
+            "calibrating": self.calibrating,
             **self.playback.capabilities(),
             "steps": self.document.undo_stack,
             "workspaces": self.workspaces,
@@ -396,6 +401,9 @@ class MainWindow(QtWidgets.QMainWindow):
         self.files.show_wanted.connect(self.presenter.open_file)
         self.workspaces.shown.connect(lambda name: self.hints.put_away(name != "design"))
         self.presenter.presenting_changed.connect(self.notice.pass_now)
+        for lab in (self.calibrating, self.playback.player.settings):
+            lab.changed.connect(self._offer_lab)
+        self._offer_lab()
         saving = self.files, self.scenes, self.library, self.presenter
         for fails in (*saving, self.exports, self.levelling):
             fails.failed.connect(reports.complain)
@@ -450,6 +458,11 @@ class MainWindow(QtWidgets.QMainWindow):
     def _check_workspace(self, name: str) -> None:
         self.actions_by_name[f"arrange_{name}"].setChecked(True)
 
+    def _offer_lab(self) -> None:
+        self._head.workspaces.offer_last(
+            bool(self.preferences.rig_path) or self.preferences.stand_in
+        )
+
     def _show_limbs(self) -> None:
         self.setup_bar.show_available(self.limbs.names)
         self._get_limbs.setHidden(any(name.startswith("measured-") for name in self.limbs.names))
@@ -471,7 +484,8 @@ class MainWindow(QtWidgets.QMainWindow):
 
     def closeEvent(self, event: QtGui.QCloseEvent) -> None:
         end_typing()
-        if not (self.files.may_lose_changes() and self.running_jobs.may_close()):
+        lossless = self.files.may_lose_changes() and self.calibrating.may_lose()
+        if not (lossless and self.running_jobs.may_close()):
             event.ignore()
             return
         self.keeping.end()

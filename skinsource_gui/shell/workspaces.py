@@ -1,4 +1,4 @@
-"""The three workspaces, and where the docks of a window stand in each of them."""
+"""The four workspaces, and where the docks of a window stand in each of them."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -79,11 +79,13 @@ class Workspace:
 #: Panels that fold out of the lower edge of a window that leaves its docks this height, in letters
 #: of the usual size; in a lower one they come up as tabs.
 _BELOW, _HIGH_PX = ("library",), 800
-#: The workspace for an audience.
-PRESENTATION = "presentation"
+#: The workspace for an audience, and that for what is wired to this machine.
+PRESENTATION, LAB = "presentation", "lab"
 
 _PLOTS = Split(_DOWN, (("traces", 50), ("spectra", 50)))
 _INPUTS_AND_PLOTS = Split(_ACROSS, (("hand", 25), ("inspector", 26), (_PLOTS, 49)))
+_OUTPUT_AND_TRACES = Split(_DOWN, (("output", 55), ("traces", 45)))
+_CALIBRATION = Split(_ACROSS, (("calibration", 55), (_OUTPUT_AND_TRACES, 45)))
 
 WORKSPACES: tuple[Workspace, ...] = (
     Workspace(
@@ -109,6 +111,12 @@ WORKSPACES: tuple[Workspace, ...] = (
         name=PRESENTATION,
         split=Split(_ACROSS, ((STAGE, 1),)),
         host=STAGE,
+    ),
+    Workspace(
+        name=LAB,
+        split=Split(_ACROSS, (("skin", 31), (_CALIBRATION, 69))),
+        host="traces",
+        folds=(_OUTPUT_AND_TRACES, _CALIBRATION),
     ),
 )
 
@@ -463,6 +471,12 @@ class Workspaces(QObject):
             self._is_arranging = False
 
     def _settle(self) -> None:
+        folded = self._folded
+        if len(self._folds()) > len(folded):
+            # Panels that were hidden know only now what they need in larger letters.
+            self._show(self._present.name)
+            return
+        self._folded = folded
         self._share_room()
         self._arranged = self._state()
 

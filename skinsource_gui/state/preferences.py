@@ -91,6 +91,8 @@ class Preferences:
     output_text = _Kept("output", "", str)
     #: Rig file of this machine; empty: none.
     rig_path = _Kept("rig", "", str)
+    #: Whether the stand-in person was chosen in place of the rig.
+    stand_in = _Kept("stand_in", False, lambda value: str(value).lower() == "true")
     #: The accelerometer that actuators are measured with, and the sweep; empty at first.
     sensor_text = _Kept("sensor", "", str)
     #: How a stimulus was exported last, see the page of stimuli; empty at first.

@@ -66,6 +66,14 @@ def test_the_peak_is_the_largest_number_of_what_is_exported(clips, changes, expe
     assert peak_text(design, design.inputs[0]) == f"{peak:.3g} m/s²"
 
 
+def test_the_peak_of_a_tone_is_no_smaller_for_the_instants_of_its_samples():
+    tone = ss.waveforms.Tone(frequency_hz=325.0, phase_rad=np.pi / 4, duration_s=0.6)
+    design = design_of(ss.Clip(waveform=tone), amplitude=0.8436)
+    assert amplitude_text(design, design.inputs[0]) == "0.8436 m/s²"
+    quieter = design_of(ss.Clip(waveform=tone, gain=0.5))
+    assert amplitude_text(quieter, quieter.inputs[0]) == "gain 1, peak 0.5 m/s²"
+
+
 def test_it_is_said_in_the_unit_of_the_drive():
     coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
     design = replace(design_of(clip(RECORDED)), actuation=ss.Actuation(actuators=(coil,)))

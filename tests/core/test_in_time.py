@@ -18,7 +18,13 @@ from skinsource.engine.time_rules import (
     _z_axis,
     block_of,
 )
-from skinsource.signals.resampling import EXTREMES_ERROR, FINER, extremes_between, finer
+from skinsource.signals.resampling import (
+    EXTREMES_ERROR,
+    FINER,
+    extremes_between,
+    finer,
+    peaks_between,
+)
 from skinsource.signals.sampling import values_at
 
 RATE = 1300.0
@@ -166,6 +172,22 @@ def test_within_every_period_a_tone_reaches_its_peak_whatever_its_samples_miss(f
         assert highest.max() <= 1.0 + FILTER_ERROR
 
 
+@pytest.mark.parametrize("frequency_hz", [30.0, 325.0, 1300 / 3, 520.0, 600.0])
+def test_the_peak_of_a_train_is_that_of_its_formula_whatever_its_samples_miss(frequency_hz):
+    shift = np.linspace(0.0, 1.0, 50)[:, np.newaxis]
+
+    def wavelet(middle):
+        time_s = (np.arange(1300) - middle - shift) / RATE
+        return np.cos(2 * np.pi * frequency_hz * time_s) * np.exp(-((time_s / 0.03) ** 2))
+
+    expected = pytest.approx(np.ones(50), rel=0.005)  # 0.04 dB
+    train = wavelet(300.3) - 0.9 * wavelet(800.0)
+    assert peaks_between(train) == expected
+    assert peaks_between(train, 600, 1000) / 0.9 == expected
+    # The length of a vector.
+    assert peaks_between(np.stack((0.6 * train, -0.8 * train), axis=1)) == expected
+
+
 def test_they_are_those_of_the_wave_that_is_drawn_from_close_by():
     signals = band_limited(3, 1001)
     extremes = extremes_between(signals)
@@ -190,6 +212,7 @@ def test_no_signal_is_too_small_or_too_large(peak):
     low, high = extremes.range
     assert low <= -peak < peak <= high
     assert np.isfinite((low, high)).all()
+    assert peak < peaks_between(peak * np.sign(band_limited(1, 300)))[0] < np.inf
 
 
 def test_silence_stays_silent_and_a_single_sample_stays_alone():

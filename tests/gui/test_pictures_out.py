@@ -59,7 +59,7 @@ def test_a_caption_names_what_shapes_the_stimulus_and_what_it_is_predicted_throu
     rising = ss.effects.Envelope(points=((0.0, 0.0), (0.1, 1.0), (0.2, 0.5)))
     plain = replace(DESIGN, inputs=(ss.track(7, tone),))
     shaped = ss.edits.set_gain_curve(plain, ss.View(), 1, ((0.0, 1.0), (0.1, 0.0))).design
-    strength = "gain 1, peak 0.751 m/s², with a gain curve of 2 points"
+    strength = "gain 1, peak 0.757 m/s², with a gain curve of 2 points"
     assert f"Place 7, {strength}: Tone" in caption_of(shaped)
     effects = (rising, ss.effects.Fade(), ss.effects.Reverse(on=False), ss.effects.Envelope())
     clip = replace(shaped.inputs[0].clips[0], effects=effects)

@@ -16,7 +16,7 @@ from tests.gui.dock_bench import in_sight
 from tests.gui.shared_window import rest
 from tests.gui.test_panels_fit import cut_texts
 
-COMPOSE, ANALYSE, PRESENT = (f"arrange_{workspace.name}" for workspace in WORKSPACES)
+COMPOSE, ANALYSE, PRESENT, LAB = (f"arrange_{workspace.name}" for workspace in WORKSPACES)
 SMALL, LARGE = (1366, 688), (1920, 1000)
 
 
@@ -97,7 +97,7 @@ def test_nothing_is_cut_or_scrolls_sideways(window, settle, size, scale):
     window.resize(*size)
     window.preferences.text_scale = scale
     window.appearance.apply()
-    for workspace in (COMPOSE, ANALYSE, PRESENT):
+    for workspace in (COMPOSE, ANALYSE, PRESENT, LAB):
         window.do(workspace)
         settle()
         assert (window.width(), window.height()) == size

@@ -98,12 +98,12 @@ def clock_ratio(recorded: Floats, start: int, period: int, repeats: int) -> floa
     for n_periods in dict.fromkeys((1, repeats - 1)):
         later = start + round(n_periods * period * ratio)
         parts = recorded[start : start + period], recorded[later : later + period]
-        lag = later - start + _lag(*parts, most)
+        lag = later - start + lag_of(*parts, most)
         ratio = lag / (n_periods * period)
     return ratio
 
 
-def _lag(first: Floats, later: Floats, most: int) -> float:
+def lag_of(first: Floats, later: Floats, most: int) -> float:
     """Return the samples by which ``later`` lags, of either sign, at most about ``most``."""
     length = scipy.fft.next_fast_len(first.size + later.size, real=True)
     cross = scipy.fft.rfft(first, length).conj() * scipy.fft.rfft(later, length)

@@ -19,6 +19,7 @@ from skinsource.design.waveforms.samples import Layers, Recording
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of
 from skinsource.limbs.scaling import Scaling
+from skinsource.signals.resampling import peaks_between
 from skinsource.specs.numbers import NumberSpec
 
 #: Unit of a drive whose unit is not known.
@@ -46,10 +47,10 @@ _MEANINGS_OF_DRIVES: dict[Scaling, str] = {
 
 # How far sampling or rounding can move a peak of 1.
 _ROUNDING = 1e-3
-# Least and largest peak of what is meant to peak at 1: samples miss up to a tenth of a tone.
-_LEAST_PEAK, _MOST_PEAK = 0.9, 1.01
-# Peaks from here on are not said: samples at 1300 Hz miss less of the crest of a tone below 260 Hz.
-_LEAST_UNSAID = 0.95
+# Least and largest peak of what is meant to peak at 1: a tone that begins at its crest has 1.14.
+_LEAST_PEAK, _MOST_PEAK = 0.9, 1.15
+# Peaks that differ less from 1 are not said.
+_UNSAID = 0.01
 
 
 def is_gain(design: Design, track: Input, peak: float | None = None) -> bool:
@@ -70,7 +71,7 @@ def is_gain(design: Design, track: Input, peak: float | None = None) -> bool:
 
 def says_peak(design: Design, track: Input, peak: float | None) -> bool:
     """Whether the ``peak`` of an input before its amplitude is said beside the amplitude."""
-    differs = not _LEAST_UNSAID <= (peak or 1.0) <= _MOST_PEAK
+    differs = abs((peak or 1.0) - 1.0) > _UNSAID
     return design.scaling != "upstream" and (differs or is_gain(design, track, peak))
 
 
@@ -184,7 +185,7 @@ def _peak_of(
     clips: tuple[Clip, ...], gain_curve: Curve, sample_rate_hz: float, place: int
 ) -> float:
     _, drive = drive_of_clips(clips, gain_curve, sample_rate_hz, place)
-    return drive.factor * float(np.abs(drive.samples).max(initial=0.0))
+    return drive.factor * float(peaks_between(drive.samples[np.newaxis])[0])
 
 
 def _unit_known(design: Design) -> bool:

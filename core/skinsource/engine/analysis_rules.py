@@ -70,6 +70,7 @@ from skinsource.signals.analysis.wave_speed import (
 from skinsource.signals.analysis.windows import Windows
 from skinsource.signals.loudest_window import Span, window_samples
 from skinsource.signals.projection import MainAxes, main_axes
+from skinsource.signals.resampling import peaks_between
 
 
 def actuator_looked_at(
@@ -320,7 +321,7 @@ def output_statistics(
     along the chosen axes, as a magnitude is rectified and has twice that frequency.
     """
     rms = output_rms[[output - 1 for output in shown_outputs]]
-    peak = np.abs(selected_traces).max(axis=-1, initial=0.0)
+    peak = peaks_between(selected_projection.waves(axis_traces, selected_traces), stop=stop)
     n_times = selected_traces.shape[-1]
     dominant_hz = np.empty(len(shown_outputs))
     for row, traces in enumerate(axis_traces):

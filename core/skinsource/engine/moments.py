@@ -290,6 +290,10 @@ class Projection:
             return magnitude(traces)
         return np.einsum("oa,oat->ot", self.directions, traces)
 
+    def waves(self, traces: Floats, signals: Floats) -> Floats:
+        """Return what is interpolated between samples: the signals, or axes with their length."""
+        return traces if self.directions is None else signals
+
     def spectra(self, spectra: Complexes) -> Complexes:
         """Return the spectra of projected signals; only where the projection is linear."""
         if self.directions is None:

@@ -66,10 +66,7 @@ def selected_extremes(
     axis_traces: Floats, selected_traces: Floats, selected_projection: Projection, stop: Stop
 ) -> Extremes:
     """Lowest and highest value of the waves of the selected outputs between samples, in m/s²."""
-    if selected_projection.directions is not None:
-        return extremes_between(selected_traces, stop=stop)
-    # Values between samples are those of the axes: a magnitude is their length.
-    return extremes_between(axis_traces, stop=stop)
+    return extremes_between(selected_projection.waves(axis_traces, selected_traces), stop=stop)
 
 
 def axis_spectra(

@@ -112,12 +112,17 @@ def _draw_table(ax: Any, channels: Sequence[Channel], rig: Rig | None, actuation
                 gain += f", {wired.full_scale_v * wired.amplifier_gain:.4g} V"
         name = actuator_at(place, rig, actuation)[0] or "not known"
         rows.append((number, f"{place}, {channel.title}", polarity, gain, name))
+    draw_table(ax, _COLUMNS, rows)
+
+
+def draw_table(ax: Any, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """Fill axes of a page with a table from their top on, in letters as large as fit."""
     ax.set_axis_off()
     # Each column has room for its longest text, with letters to spare beside it.
-    letters = [3 + max(map(len, texts)) for texts in zip(_COLUMNS, *rows, strict=True)]
+    letters = [3 + max(map(len, texts)) for texts in zip(columns, *rows, strict=True)]
     size = min(8.0, 160.0 / len(rows), _TABLE_MM / (_LETTER_MM * sum(letters)))
     widths = [count / sum(letters) for count in letters]
-    table = ax.table(rows, colLabels=_COLUMNS, colWidths=widths, cellLoc="left", loc="upper left")
+    table = ax.table(rows, colLabels=columns, colWidths=widths, cellLoc="left", loc="upper left")
     table.auto_set_font_size(False)
     table.set_fontsize(size)
     for cell in table.get_celld().values():

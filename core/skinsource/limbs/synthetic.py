@@ -27,7 +27,7 @@ from skinsource.base.conventions import (
     Complexes,
     Floats,
 )
-from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.limbs.limb import Limb, LimbMap, limb_like
 from skinsource.limbs.locations import ARM_REGIONS, DIGITS, INPUTS, OUTPUTS
 
 #: Outline pixels in one hand length.
@@ -405,4 +405,28 @@ def load_synthetic_limb(number: int) -> Limb:
         synthetic=True,
         map=model.shape.limb_map(),
         read_response=model.response_to,
+    )
+
+
+def synthetic_person(number: int, *, hand_length_mm: float, seed: int) -> Limb:
+    """Return a limb that is like synthetic limb ``number``, but somebody else's.
+
+    Its size and all that is drawn at random are other ones: the resonances, and the directions of
+    the sensors.
+
+    Parameters
+    ----------
+    hand_length_mm
+        Size of the hand, which is drawn as that of the limb.
+    seed
+        Of what is drawn at random.
+    """
+    shared = _parameters()
+    limb = next(entry for entry in shared["limbs"] if entry["number"] == number)
+    model = _prepare(shared, limb | {"hand_length_mm": hand_length_mm, "seed": seed})
+    return limb_like(
+        load_synthetic_limb(number),
+        hand_length_mm=hand_length_mm,
+        read_response=model.response_to,
+        note="A stand-in person, not measured.",
     )

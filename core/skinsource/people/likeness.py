@@ -12,8 +12,9 @@ from skinsource.limbs.limb import Limb
 from skinsource.people.others import band_levels_db, check_same_places, hand_outputs, people_of
 from skinsource.people.partial_limb import PartialLimb
 
-#: By how much another place must be more alike: chosen for 5 % false alarms on four people.
-_MARGIN = 0.21
+#: By how much another place must be more alike: chosen for 5 % false alarms on four people, with
+#: three axes and with one.
+MARGIN, MARGIN_OF_ONE_AXIS = 0.21, 0.4
 
 
 @checking
@@ -51,17 +52,20 @@ def likeliest_place(
     partial.check_measured(output)
     people = people_of(others, 2, but=partial.person)
     check_same_places(partial.limb, people[0])
-    theirs_db = np.stack([band_levels_db(limb, partial.inputs) for limb in people])
-    row_db = band_levels_db(partial.limb, partial.inputs)[:, output - 1]
+    every_db = [
+        band_levels_db(limb, partial.inputs, axes=partial.axes) for limb in (partial.limb, *people)
+    ]
+    row_db, theirs_db = every_db[0][:, output - 1], np.stack(every_db[1:])
     candidates = np.array(sorted({*hand_outputs(people[0]), output}))
     unlike = unlikeness(row_db[:, None], theirs_db[:, :, candidates - 1])[0]
-    return int(candidates[probably_on(unlike, int(np.searchsorted(candidates, output)))])
+    margin = MARGIN_OF_ONE_AXIS if len(partial.axes) == 1 else MARGIN
+    return int(candidates[probably_on(unlike, int(np.searchsorted(candidates, output)), margin)])
 
 
-def probably_on(unlike: Floats, claimed: int) -> int:
+def probably_on(unlike: Floats, claimed: int, margin: float = MARGIN) -> int:
     """Return the output that a row is of, from 0: the claimed one unless another is clearly it."""
     best = int(unlike.argmin())
-    return best if unlike[claimed] - unlike[best] > _MARGIN else claimed
+    return best if unlike[claimed] - unlike[best] > margin else claimed
 
 
 def unlikeness(rows_db: Floats, theirs_db: Floats) -> Floats:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 import scipy
 
-from skinsource.base.conventions import LIMB_NAMES, Band, Floats
+from skinsource.base.conventions import ALL_AXES, LIMB_NAMES, Axes, Band, Floats, axis_numbers
 from skinsource.base.errors import InvalidInputError
 from skinsource.inverse.responses import HAND_OUTPUTS, bins_of, n_fft_of, power_db, responses_of
 from skinsource.limbs.catalog import limb_of
@@ -69,18 +69,21 @@ def hand_outputs(limb: Limb) -> tuple[int, ...]:
 
 
 def band_levels_db(
-    limb: Limb, inputs: Sequence[int], bands_hz: Sequence[Band] = OCTAVES_HZ
+    limb: Limb,
+    inputs: Sequence[int],
+    bands_hz: Sequence[Band] = OCTAVES_HZ,
+    axes: Axes = ALL_AXES,
 ) -> Floats:
     """Return the mean level of responses in each band, (n_bands, n_outputs, n_inputs), in dB.
 
-    Energies are summed over the axes.  Outputs that were not measured have -infinity; bands above
-    half the sample rate are left out.
+    Energies are summed over the chosen axes.  Outputs that were not measured have -infinity; bands
+    above half the sample rate are left out.
     """
-    n_fft = n_fft_of(limb.n_taps)
+    n_fft, numbers = n_fft_of(limb.n_taps), axis_numbers(axes, limb.axes)
     at_hz = bins_of(n_fft, limb.sample_rate_hz)
     within = [(at_hz >= low) & (at_hz < high) for low, high in bands_hz if high <= at_hz[-1]]
     energies = [
-        np.square(np.abs(scipy.fft.rfft(limb.response_to(place), n_fft))).sum(axis=1)
+        np.square(np.abs(scipy.fft.rfft(limb.response_to(place)[:, numbers], n_fft))).sum(axis=1)
         for place in inputs
     ]
     means = [[energy[:, bins].mean(axis=1) for energy in energies] for bins in within]

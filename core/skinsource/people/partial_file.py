@@ -64,11 +64,7 @@ def save_partial(path: str | os.PathLike[str], partial: PartialLimb) -> None:
     ...     print(path.exists())
     True
     """
-    whole = limb_of(partial.like)
-    header: dict[str, Any] = {name: getattr(partial, name) for name in _TEXTS}
-    header["dates"] = " ".join(partial.dates)
-    header |= {name: list(getattr(partial, name)) for name in ("inputs", "outputs")}
-    header |= {name: getattr(whole, name) for name in _SHARED}
+    header = _header(partial)
     responses = np.asarray(partial.responses, "<f8")
     with replacing(Path(path)) as temporary, files.File(temporary, "w") as file:
         for name, value in header.items():
@@ -124,6 +120,19 @@ def open_partial(path: str | os.PathLike[str]) -> PartialLimb:
         return PartialLimb(**header, responses=responses)
     except InvalidInputError as error:
         raise FileFormatError(f"{path_text(Path(place.name))}: {error}") from error
+
+
+def _header(partial: PartialLimb) -> dict[str, Any]:
+    whole = limb_of(partial.like)
+    header: dict[str, Any] = {name: getattr(partial, name) for name in _TEXTS}
+    header["dates"] = " ".join(partial.dates)
+    header |= {name: list(getattr(partial, name)) for name in ("inputs", "outputs")}
+    return header | {name: getattr(whole, name) for name in _SHARED}
+
+
+def digest_of(partial: PartialLimb) -> str:
+    """Return the SHA-256 of all that is known of a partial limb, as its file states it."""
+    return _checksum(_header(partial), partial.responses)
 
 
 def _checksum(header: dict[str, Any], responses: Floats) -> str:

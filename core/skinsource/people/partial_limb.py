@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 
 from skinsource.base.arguments import checking, finite_array
-from skinsource.base.conventions import Floats
+from skinsource.base.conventions import Axes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb, limb_like
@@ -98,6 +99,12 @@ class PartialLimb:
             read_response=read,
             shape=(whole.n_inputs, whole.n_outputs, whole.n_axes, n_taps),
         )
+
+    @property
+    def axes(self) -> Axes:
+        """Along which it was measured: along others of the limb all responses are 0."""
+        measured = self.responses.any(axis=(0, 1, 3))
+        return cast(Axes, "".join(np.array([*limb_of(self.like).axes])[measured]))
 
     def check_measured(self, output: int) -> None:
         """Raise `InvalidInputError` unless an output was measured."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from skinsource.base.arguments import checking
-from skinsource.base.conventions import Floats
+from skinsource.base.conventions import Floats, axes_of, axes_text
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.comparing import half_width_db
 from skinsource.design.design import Design, Input, View, audible_inputs
@@ -74,7 +74,8 @@ def levels(
     ------
     InvalidInputError
         The people are too few or have other places; or ``own`` was given, and was not measured
-        from a place that plays, or the scaling is "upstream", which needs all outputs of a person.
+        from a place that plays or along an axis of the view, or the scaling is "upstream", which
+        needs all outputs of a person.
     DatasetMissingError
         The measured dataset is needed, and not installed.
 
@@ -136,13 +137,14 @@ def _drawn_in(
     """Return mean and half width with what was measured of the person."""
     tracks = audible_inputs(design.inputs)
     unmeasured = {track.location for track in tracks} - {*own.inputs}
-    if unmeasured or design.scaling == "upstream":
-        cause = (
-            f"{own.person} was not measured from place {min(unmeasured)}"
-            if unmeasured
-            else "The scaling 'upstream' needs all outputs of a person"
-        )
-        raise InvalidInputError(f"{cause}. Change the design, or leave own out.")
+    beyond = {*axes_of(people[0].axes, view.axes)} - {*own.axes}
+    if unmeasured or beyond or design.scaling == "upstream":
+        cause = "The scaling 'upstream' needs all outputs of a person"
+        if beyond:
+            cause = f"{own.person} was measured along {axes_text(own.axes)} alone"
+        if unmeasured:
+            cause = f"{own.person} was not measured from place {min(unmeasured)}"
+        raise InvalidInputError(f"{cause}. Change the design or its view, or leave own out.")
     player, players = _Player(own.limb, view), [_Player(limb, view) for limb in people]
     measured = np.array(own.outputs) - 1
     hand = np.array(sorted({*hand_outputs(people[0]), *own.outputs})) - 1

@@ -9,7 +9,8 @@ measured band of any limb lies below half its own rate.
 
 Extremes of waves that are drawn are computed with a shorter filter, which is quick enough for every
 edit: up to 12/13 of half the rate it errs by at most 0.2 % of an amplitude, and points an eighth of
-a sample apart miss a peak by at most 1.7 %.
+a sample apart miss a peak by at most 1.7 %.  Peaks whose numbers are said are looked for around the
+highest of these extremes, with the long filter.
 """
 
 from __future__ import annotations
@@ -78,6 +79,9 @@ _SILENT = 1e-9
 _RESPONSE_FINER, _POINTS = 8, 2**17
 # Duration of the ringing: periods of the lower rate, over half its transition; samples at most.
 _RINGS, _LONGEST_RING = 5.0, 2**21
+
+# Places where the peak of a wave is looked for, and points for each sample there.
+_TRIED, _PEAK_FINER = 16, 16
 
 Singles = NDArray[np.float32]
 
@@ -504,6 +508,41 @@ def extremes_between(
         extremes.low[:, -1] = extremes.high[:, -1] = only
     extremes.low.flags.writeable = extremes.high.flags.writeable = False
     return extremes
+
+
+def peaks_between(
+    signals: Floats, first: int = 0, end: int | None = None, *, stop: Stop = never
+) -> Floats:
+    """Return the largest magnitude of waves between their samples too, (n_curves,).
+
+    That of a tone up to 12/13 of half the rate is right within 0.04 dB, whatever its phase.
+
+    Parameters
+    ----------
+    signals, first, end, stop
+        As of `extremes_between`.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> tone = np.hanning(1300) * np.sin(np.pi * (np.arange(1300) / 2 + 0.25))  # 325 Hz
+    >>> print(f"{abs(tone).max():.3f}, {peaks_between(tone[np.newaxis])[0]:.3f}")
+    0.707, 1.000
+    """
+    vectors = signals if signals.ndim == 3 else signals[:, np.newaxis]
+    extremes = extremes_between(signals, first, end, stop=stop)
+    kernel = Kernel(_PEAK_FINER, 1, _WIDEST)
+    peaks = np.zeros(len(vectors))
+    for row, (vector, size) in enumerate(zip(vectors, extremes.sizes[:, 0], strict=True)):
+        highest = np.maximum(extremes.high[row], -extremes.low[row])
+        n_tried = min(_TRIED, highest.size)
+        places = np.argpartition(highest, -n_tried)[-n_tried:]
+        used = first + places[:, np.newaxis] + np.arange(kernel.n_used) - kernel.reach
+        inside = (used >= 0) & (used < vector.shape[-1])
+        samples = np.where(inside, vector[:, np.where(inside, used, 0)] / size, 0.0)
+        points = np.sqrt(np.square(samples @ kernel.weights()).sum(axis=0))
+        peaks[row] = size * points.max(initial=0.0)
+    return peaks
 
 
 def _sizes(vectors: Floats) -> Floats:

@@ -43,6 +43,7 @@ from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.plots.ranges import in_rows, without_notches
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scrolled, show_or_hide
+from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.row_table import RowTable

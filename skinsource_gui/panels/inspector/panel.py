@@ -5,7 +5,6 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any
 
-import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 
@@ -67,6 +66,7 @@ from skinsource_gui.fields.grid import (
 from skinsource_gui.fields.inputs import (
     FieldChanges,
     fixed_length_text,
+    peak_of,
     played_hz_text,
     played_length_text,
     played_of,
@@ -614,7 +614,7 @@ class InspectorPanel(Panel):
         Then the peak of what is not muted, if there is anything: what plays again stays the same.
         """
         played = self._played.get(track.id)
-        heard = whole = None if played is None else float(np.abs(played).max(initial=0.0))
+        heard = whole = None if played is None else peak_of(played)
         if any(clip.muted for clip in track.clips):
             track = replace(track, clips=tuple(replace(clip, muted=False) for clip in track.clips))
             whole = peak_before_amplitude(self._design, track)

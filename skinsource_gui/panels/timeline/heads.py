@@ -9,7 +9,6 @@ from functools import partial
 from math import copysign, log10
 from typing import Any
 
-import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import (
     QAbstractItemModel,
@@ -37,7 +36,6 @@ from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, View, audibl
 from skinsource.design.display_units import SHOWN_DIGITS, number_text, value_text
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, clip_of
 from skinsource.limbs.locations import input_name
-from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import Burst, new_gesture
 from skinsource_gui.fields.inputs import (
     EMPTY,
@@ -47,6 +45,7 @@ from skinsource_gui.fields.inputs import (
     clip_text,
     clips_text,
     fill_inputs_menu,
+    peak_of,
 )
 from skinsource_gui.fields.number_field import FINISHERS, NumberField, makes_step
 from skinsource_gui.fields.units import minus, parse_level
@@ -114,10 +113,10 @@ class Head:
 
     @property
     def peak(self) -> float | None:
-        """The largest value that the track plays, with its amplitude."""
+        """The largest value that the track plays, between samples too, with its amplitude."""
         if self.played is None:
             return None
-        return abs(self.track.amplitude) * float(np.abs(self.played).max(initial=0.0))
+        return abs(self.track.amplitude) * peak_of(self.played)
 
     def level_text(self, decimals: int = 1) -> str:
         """Return the level of the amplitude in a few letters, dB: ``"−6.0"``, ``"+12.3"``."""
@@ -146,8 +145,7 @@ def text_of(head: Head, design: Design, view: View) -> str:
     level = gain if is_gain(design, track) else f"{track.amplitude:g} {unit}"
     level += f" ({level_text(track.amplitude)})"
     if (peak := head.peak) is not None:
-        rate_hz = facts_of(design.limb).sample_rate_hz
-        level += f", peak {peak:.3g} {unit}, sampled at {rate_hz:g} Hz"
+        level += f", peak {peak:.3g} {unit}"
     inverted = "\nPolarity inverted" if track.amplitude < 0 else ""
     return f"{played}\n{level}{inverted}"
 

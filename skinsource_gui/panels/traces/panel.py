@@ -13,9 +13,10 @@ from skinsource.design import edits
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design, View
 from skinsource.design.panel_settings import settings_of
+from skinsource.engine.moments import Projection
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.intervals import interval_of
-from skinsource.signals.resampling import finer
+from skinsource.signals.resampling import finer, peaks_between
 from skinsource.specs import fields
 from skinsource.specs.numbers import Range, RangeSpec
 from skinsource.specs.spec import SwitchSpec
@@ -144,7 +145,8 @@ class TracesPanel(SignalPanel):
 
     def _draw(self, results: Mapping[str, Any]) -> None:
         relative = self.settings.relative
-        scale = _peaks(results["selected_traces"]) if relative else None
+        peaks = peaks_between(_waves(results)) if relative else None
+        scale = None if peaks is None else np.where(peaks > 0.0, peaks, 1.0)[:, np.newaxis]
         heading = heading_of(results)
         curves = Curves(
             x=results["response_time_s"],
@@ -155,7 +157,7 @@ class TracesPanel(SignalPanel):
             heading=heading,
             scaling=heading[1:],
             matched=match_text(results["match_gain"]),
-            peaks=() if scale is None else tuple(_largest(results["selected_traces"]).tolist()),
+            peaks=() if peaks is None else tuple(peaks.tolist()),
             wave=_wave(results, scale),
             measure=partial(measured_between, results),
         )
@@ -193,7 +195,8 @@ def measured_between(results: Mapping[str, Any], between_s: Range) -> Measured:
     """Return what the selected outputs do between two times."""
     time_s, limb = results["response_time_s"], facts_of(results["limb"])
     lowest_hz = (limb.band_hz or BAND_HZ)[0]
-    interval = interval_of(results["selected_traces"], time_s, between_s, lowest_hz)
+    traces = results["selected_traces"]
+    interval = interval_of(traces, time_s, between_s, lowest_hz, _waves(results))
     names = output_names(results["outputs"], results["limb"])
     rows = tuple(
         zip(
@@ -255,14 +258,9 @@ def _not_silent(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[i
     return tuple(output for output in outputs if output in loud)
 
 
-def _peaks(traces: Floats) -> Floats:
-    """Return the peak of each trace, (n, 1); 1 where it is silent."""
-    peaks = _largest(traces)[:, np.newaxis]
-    return np.where(peaks > 0.0, peaks, 1.0)
-
-
-def _largest(traces: Floats) -> Floats:
-    return np.abs(traces).max(axis=-1)
+def _waves(results: Mapping[str, Any]) -> Floats:
+    projection: Projection = results["selected_projection"]
+    return projection.waves(results["axis_traces"], results["selected_traces"])
 
 
 def _wave(results: Mapping[str, Any], scale: Floats | None) -> Wave:
@@ -278,11 +276,9 @@ def _points_between(
 ) -> tuple[Floats, Floats]:
     """Return the traces from one sample to before another, with points between them."""
     time_s, projection = results["response_time_s"], results["selected_projection"]
-    if projection.directions is not None:
-        instants, waves = finer(time_s, results["selected_traces"], first, end)
-    else:
-        instants, axes = finer(time_s, results["axis_traces"], first, end)
-        waves = projection.signals(axes)
+    instants, waves = finer(time_s, _waves(results), first, end)
+    if projection.directions is None:
+        waves = projection.signals(waves)
     return instants, waves if scale is None else waves / scale
 
 

@@ -135,6 +135,17 @@ def test_a_sensor_on_another_digit_is_found_nearby():
     assert np.hypot(*(places[found - 1] - places[20])) < 20.0
 
 
+def test_a_sensor_of_one_axis_is_compared_along_it(own):
+    along_z = own.responses * np.array([0.0, 0.0, 1.0])[:, None]
+    single = replace(own, responses=along_z)
+    assert (own.axes, single.axes) == ("xyz", "z")
+    for output in own.outputs:
+        assert ss.people.likeliest_place(single, output, NAMES) == output
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
+    with pytest.raises(InvalidInputError, match="was measured along z alone"):
+        ss.people.levels(design, limbs=NAMES, own=single)
+
+
 def test_one_other_person_does_not_tell_where_a_sensor_was(own):
     with pytest.raises(InvalidInputError, match="expected 2 people or more"):
         ss.people.likeliest_place(own, 9, NAMES[:1])

@@ -5,6 +5,7 @@ import pytest
 
 import skinsource as ss
 from benchmarks.people import (
+    ALL,
     focus_trial,
     levels_trial,
     neighbours,
@@ -14,7 +15,8 @@ from benchmarks.people import (
 )
 from skinsource.inverse.focusing import energy_of
 from skinsource.inverse.responses import responses_of
-from skinsource.people.others import people_of
+from skinsource.people.likeness import MARGIN_OF_ONE_AXIS
+from skinsource.people.others import band_levels_db, people_of
 from skinsource.people.trials import range_held
 
 
@@ -74,6 +76,13 @@ def test_a_sensor_on_the_wrong_place_is_doubted_far_more_often_than_on_the_right
     assert alarms.mean() <= 0.055
     assert hits.mean() >= 0.5
     assert (hits.sum(axis=1) > 5 * alarms.sum(axis=1)).all()
+
+
+def test_a_sensor_of_one_axis_is_doubted_as_seldom_where_it_should_be(people):
+    along_z = np.stack([band_levels_db(limb, ALL, axes="z")[:, :42] for limb in people])
+    alarms, hits = places_trial(along_z, neighbours(people[0]), MARGIN_OF_ONE_AXIS)
+    assert alarms.mean() <= 0.055
+    assert hits.mean() >= 0.5
 
 
 def test_what_a_focus_expects_of_others_is_what_the_person_gets(people):

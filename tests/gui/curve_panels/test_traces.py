@@ -159,7 +159,7 @@ def test_zoomed_in_values_fit_what_is_seen_if_that_is_chosen(show):
 def test_the_peaks_to_which_curves_are_relative_are_said_with_their_unit(show):
     panel = show()
     plot, legend = plot_of(panel), panel.findChild(SignalView).legend
-    peaks = np.abs(plot.curves.y).max(axis=-1)
+    peaks = np.abs(plot.curves.wave.points(0, plot.curves.x.size)[1]).max(axis=-1)
     assert legend.text.readings == ()
     click(panel, "relative")
     assert (legend.text.where, legend.text.unit) == ("peak", "m/s²")
@@ -195,13 +195,15 @@ def test_curves_reach_as_far_as_the_wave(show, method, layout, relative):
     plot = panel._plot.plot
     dense_s, axes = finer(results["response_time_s"], results["axis_traces"])
     dense = results["selected_projection"].signals(axes)
-    if relative:
-        dense = dense / np.abs(results["selected_traces"]).max(axis=-1, keepdims=True)
     at_s, waves = plot.curves.wave.points(0, plot.curves.x.size)
+    if relative:
+        peaks = np.abs(waves).max(axis=-1, keepdims=True)
+        assert peaks == pytest.approx(1.0, abs=0.005)
+        dense = peaks * dense / np.abs(dense).max(axis=-1, keepdims=True)
     np.testing.assert_allclose(at_s, dense_s)
     np.testing.assert_allclose(waves, dense, rtol=0, atol=1e-9)
     low, high = plot.curves.wave.extremes(0, plot.curves.x.size).range
     assert (low, high) == pytest.approx((dense.min(), dense.max()), abs=0.01 * dense.max())
     # Samples alone would lie.
-    assert dense.max() > 1.1 * plot.curves.y.max()
+    assert (dense.max(axis=-1) > 1.1 * plot.curves.y.max(axis=-1)).any()
     assert plot.value_scale.values[1] >= dense.max()

@@ -193,7 +193,7 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
     bench.show(bench.design.with_clip(clip.id, waveform=Recording(normalised)))
     assert strength() == ("Amplitude", "m/s²")
     for factor, shown in ((3, "1.5 m/s²"), (0.92, "0.46 m/s²"), (1, "")):
-        waveform = Formula(text=f"{factor} * cos(6.28 * 50 * t)")
+        waveform = Formula(text=f"{factor} * sin(6.28 * 50 * t)")
         bench.show(bench.design.with_clip(clip.id, waveform=waveform))
         bench.panel.show_results(bench.results())
         assert strength() == (("Input gain", "") if factor == 3 else ("Amplitude", "m/s²"))
@@ -216,7 +216,7 @@ def test_a_muted_clip_says_so_and_keeps_its_peak_unless_others_are_heard(qtbot, 
     _, peak, _ = before = show(clip)
     assert before == (True, peak, False)
     assert show(replace(clip, muted=True)) == (True, peak, True)
-    heard = replace(clip, id=77, waveform=Formula(text="cos(6.28 * 50 * t)"))
+    heard = replace(clip, id=77, waveform=Formula(text="sin(6.28 * 50 * t)"))
     assert show(replace(clip, muted=True), heard) == (True, "1 m/s²", True)
 
 

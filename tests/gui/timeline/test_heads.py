@@ -98,12 +98,12 @@ def tip_of(bench, index):
 def test_the_tooltip_says_amplitude_and_peak_and_a_gain_where_a_recording_keeps_its_size(bench):
     bench.show(bench.design.with_input(0, amplitude=-0.5))
     bench.panel.show_results(clip_results(bench.design))
-    assert "-0.5 m/s² (\u22126.02 dB), peak 0.496 m/s²" in tip_of(bench, 0)
+    assert "-0.5 m/s² (\u22126.02 dB), peak 0.5 m/s²" in tip_of(bench, 0)
     samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
     clip = replace(bench.design.inputs[0].clips[0], waveform=Recording(samples))
     bench.show(bench.design.with_input(0, clips=(clip,)))
     bench.panel.show_results(clip_results(bench.design))
-    assert "Input gain -0.5 (\u22126.02 dB), peak 2.44 m/s², sampled at 1300 Hz" in tip_of(bench, 0)
+    assert "Input gain -0.5 (\u22126.02 dB), peak 2.44 m/s²" in tip_of(bench, 0)
 
 
 def test_the_tooltip_of_several_selected_heads_says_that_buttons_change_all(bench):

@@ -40,6 +40,7 @@ from skinsource.lab.playing.devices import MOST_OUTPUTS, Output, check_outputs, 
 from skinsource.lab.playing.stream import (
     HIGHEST_DB,
     LOWEST_DB,
+    Mix,
     PlayQueue,
     factor_of,
     fade_samples,
@@ -238,6 +239,13 @@ def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Ben
     rate_hz = output.sample_rate_hz
     volts, highest_hz = measurable(channel, setup, rate_hz)
     swept_hz = _LOWER_SHARE * setup.lowest_hz, min(_HIGHER_SHARE * setup.highest_hz, highest_hz)
+    card = card_of(channel, setup, output)
+    sweep = exponential_sweep(swept_hz, setup.sweep_s, rate_hz)
+    return Bench(channel, volts, setup, card, rate_hz, sweep, swept_hz)
+
+
+def card_of(channel: RigChannel, setup: MeasuringSetup, output: Output) -> Card:
+    """Return the devices of a channel and of the sensor; raise where one is missing."""
     known_devices = devices()
     named = [device for device in known_devices if channel.device in (device.name, device.title)]
     if channel.device:
@@ -245,18 +253,16 @@ def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Ben
         api = named[0].host_api if named else ""
         output = replace(output, device=name, host_api=api)
     device = device_of(output, known_devices)
-    check_outputs(device, {place: channel.output})
+    check_outputs(device, {channel.place: channel.output})
     inputs = input_device_of(setup.input_device, device, input_devices())
     check_inputs(inputs, setup.input_number, setup.loopback_input)
     highest_input = max(setup.input_number, setup.loopback_input)
-    card = Card(
+    return Card(
         device=device,
         inputs=inputs,
         n_inputs=max(highest_input, min(FEWEST_CHANNELS, inputs.n_inputs)),
         latency_s=output.latency_s,
     )
-    sweep = exponential_sweep(swept_hz, setup.sweep_s, rate_hz)
-    return Bench(channel, volts, setup, card, rate_hz, sweep, swept_hz)
 
 
 # A phase that differs more from that of a delay is doubtful; about 30 degrees.
@@ -390,8 +396,8 @@ def kept(rig: Rig, measurement: ChannelMeasurement) -> Rig:
 QUIETER_DB = 20.0
 #: Silence in which the noise is measured, and the time before it in which a device settles.
 NOISE_S, SETTLING_S = 2.0, 0.2
-# From this recorded sample on the input may be clipped, whatever bits the device has.
-_CLIPPED = 0.999
+#: From this recorded sample on the input may be clipped, whatever bits the device has.
+CLIPPED = 0.999
 
 
 def measure(
@@ -517,19 +523,35 @@ def _record(
     report: Callable[[int], None],
 ) -> Floats:
     """Play a row, and return the recorded samples, (n_inputs, n_times), from its start on."""
-    output, fade = bench.channel.output, fade_samples(bench.rate_hz)
-    n_outputs = max(output, min(FEWEST_CHANNELS, bench.card.device.n_outputs))
+    output = bench.channel.output
     mix = mix_of(
         row[np.newaxis],
         bench.rate_hz,
         outputs=[output],
         titles=[f"sweep of place {bench.channel.place}"],
-        n_outputs=n_outputs,
+        n_outputs=output,
     )
     mix = replace(mix, most_gain=margin.factor, limit=margin.words)
-    queue = PlayQueue(n_outputs, bench.rate_hz, level_db)
+    return recorded_of(mix, bench.card, level_db, stop, report)
+
+
+def recorded_of(
+    mix: Mix, card: Card, level_db: float, stop: Stop, report: Callable[[int], None]
+) -> Floats:
+    """Play a mix at a level, and return what its time of all inputs recorded, (n_inputs, n_times).
+
+    Raises
+    ------
+    PlaybackError
+        The device refuses, loses samples or stops answering, or a limit of the mix would be passed.
+    Stopped
+        ``stop`` returned True.
+    """
+    fade = fade_samples(mix.sample_rate_hz)
+    n_outputs = max(mix.n_outputs, min(FEWEST_CHANNELS, card.device.n_outputs))
+    queue = PlayQueue(n_outputs, mix.sample_rate_hz, level_db)
     queue.play(mix, 0)
-    duplex = Duplex(queue, bench.card, fade + row.size)
+    duplex = Duplex(queue, card, fade + mix.n_times)
     duplex.run(stop, report)
     ending = queue.ending
     if ending is not None and ending.reason != "end":
@@ -549,7 +571,7 @@ def _check_clipping(bench: Bench, recorded: Floats, level_db: float) -> None:
         peak = float(np.abs(recorded[number - 1]).max(initial=0.0))
         if not np.isfinite(peak):
             raise PlaybackError("The device recorded a value that is no number. Choose another.")
-        if peak >= _CLIPPED:
+        if peak >= CLIPPED:
             raise _clipping_error(number, "clips", level_db, "a lower level")
 
 
@@ -561,8 +583,8 @@ def _check_level(bench: Bench, recorded: Floats, noise: Floats, level_db: float)
         still = abs(mean) + float(np.abs(noise[number - 1] - mean).max())
         # The noise does not become louder with the sweep.
         moved = max(float(np.abs(recorded[number - 1] - mean).max()) + abs(mean) - still, 0.0)
-        if still + moved * louder >= _CLIPPED:
-            most_db = level_db + 20.0 * log10((_CLIPPED - still) / moved) - 0.1
+        if still + moved * louder >= CLIPPED:
+            most_db = level_db + 20.0 * log10((CLIPPED - still) / moved) - 0.1
             raise _clipping_error(
                 number, "would clip", bench.setup.level_db, f"{_rounded_down(most_db)} dB or less"
             )

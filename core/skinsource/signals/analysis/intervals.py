@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 
 from skinsource.base.conventions import Floats
+from skinsource.signals.resampling import peaks_between
 
 # The fade below the band, over an octave, rings for so many periods of the band's lower end.
 _RINGS_PERIODS = 10.0
@@ -69,9 +70,13 @@ class Interval:
 
 
 def interval_of(
-    acceleration: Floats, time_s: Floats, between_s: tuple[float, float], lowest_hz: float
+    acceleration: Floats,
+    time_s: Floats,
+    between_s: tuple[float, float],
+    lowest_hz: float,
+    waves: Floats | None = None,
 ) -> Interval:
-    """Return what accelerations do from one time to another, samples at both included.
+    """Return what accelerations do from one time to another; peaks are those between samples too.
 
     Parameters
     ----------
@@ -83,18 +88,20 @@ def interval_of(
         First and last time; at least one sample is taken.
     lowest_hz
         Velocity and displacement have nothing slower, see `integrated`.
+    waves : (n_signals, n_axes, n_times), optional
+        The axes of magnitudes, m/s²: magnitudes themselves have no values between samples.
     """
     first, last = np.searchsorted(time_s, between_s)
     first = min(first, time_s.size - 1)
-    part = slice(first, max(last, first) + 1)
+    last = max(last, first)
+    ends = first, max(last, first + 1)
     rate = (time_s.size - 1) / (time_s[-1] - time_s[0])
     velocity, displacement = (
-        np.abs(integrated(acceleration, rate, lowest_hz, times)[:, part]).max(axis=-1)
-        for times in (1, 2)
+        peaks_between(integrated(acceleration, rate, lowest_hz, times), *ends) for times in (1, 2)
     )
-    samples = acceleration[:, part]
+    samples = acceleration[:, first : last + 1]
     return Interval(
-        peak=np.abs(samples).max(axis=-1),
+        peak=peaks_between(acceleration if waves is None else waves, *ends),
         rms=np.sqrt(np.mean(np.square(samples), axis=-1)),
         velocity=velocity,
         displacement=displacement,

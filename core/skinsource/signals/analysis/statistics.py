@@ -22,7 +22,7 @@ class Statistics:
     Attributes
     ----------
     rms, peak : (n_signals,)
-        Unit of the signals; the peak is that of the magnitude.
+        Unit of the signals; the peak is that of the magnitude, between samples too.
     crest : (n_signals,)
         Peak over RMS.
     dominant_hz : (n_signals,)

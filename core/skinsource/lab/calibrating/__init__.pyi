@@ -1,0 +1,12 @@
+from .calibration import Calibration as Calibration
+from .calibration import Measured as Measured
+from .calibration import Sitting as Sitting
+from .calibration import calibrate as calibrate
+from .report import save_report as save_report
+from .stand_in import StandIn as StandIn
+from .station import CardStation as CardStation
+from .station import Station as Station
+from .verification import Check as Check
+from .verification import Verification as Verification
+from .verification import begin_verifying as begin_verifying
+from .verification import verify_next as verify_next

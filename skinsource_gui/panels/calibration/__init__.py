@@ -1,0 +1,1 @@
+"""A person is calibrated: mounting, sweeps, the focus, and whether it holds."""

@@ -1,0 +1,185 @@
+"""Calibrating a person in the window: mounting, sweeps, a focus, and whether it holds."""
+
+import json
+import threading
+from dataclasses import replace
+
+import pytest
+from PySide6.QtWidgets import QFileDialog, QToolButton
+
+import skinsource as ss
+from skinsource.actuators.rigs import Rig, RigChannel, save_rig
+from skinsource.base.errors import Stopped
+from skinsource.lab.calibrating import StandIn
+from skinsource_gui.panels.calibration.steps import FOCUS, MOUNTING, SWEEPS
+
+WAIT = {"timeout": 60_000}
+INPUTS = (7, 12, 18)
+
+
+@pytest.fixture
+def window(open_window):
+    window = open_window()
+    window.playback.player.settings.choose_rig(None)
+    return window
+
+
+@pytest.fixture
+def bench(window, qtbot):
+    """The panel, in front of which a person with three actuators sits."""
+
+    class Bench:
+        panel, calibrating = window.panel("calibration"), window.calibrating
+
+        @property
+        def state(self):
+            return self.calibrating.state
+
+        def seat(self, **person):
+            self.calibrating.make_stand_in = lambda output: StandIn(
+                output=output, inputs=INPUTS, **person
+            )
+
+        def press(self, name, *, wait=True):
+            assert self.panel.buttons[name].isEnabled(), self.state.said
+            self.panel.buttons[name].click()
+            if wait:
+                qtbot.waitUntil(lambda: not self.state.running, **WAIT)
+
+        def results(self):
+            return [self.panel.sweeps.item(row, 1).text() for row in range(len(INPUTS))]
+
+    window.do("calibrate")
+    bench, before = Bench(), window.calibrating.make_stand_in
+    bench.seat()
+    bench.calibrating._choose_station(True)
+    bench.calibrating._put(step=MOUNTING, places=())
+    yield bench
+    window.calibrating.make_stand_in = before
+
+
+def offers_lab(window):
+    button = window.menuWidget().findChild(QToolButton, "arrange_lab_button")
+    return not button.isHidden()
+
+
+def test_the_lab_is_offered_once_a_rig_or_the_stand_in_person_is_chosen(make_window, tmp_path):
+    window = make_window()
+    assert not offers_lab(window)
+    save_rig(tmp_path / "bench.skinrig", Rig(channels=(RigChannel(place=7, output=1),)))
+    window.playback.player.settings.choose_rig(tmp_path / "bench.skinrig")
+    assert offers_lab(window)
+    window.playback.player.settings.choose_rig(None)
+    assert not offers_lab(window)
+    window.do("calibrate")
+    assert window.actions_by_name["arrange_lab"].isChecked()
+    window.do("arrange_design")
+    assert offers_lab(window)
+
+
+def test_the_stand_in_person_is_calibrated_focused_on_and_verified(
+    bench, window, answers, tmp_path, monkeypatch
+):
+    panel = bench.panel
+    panel.cells["output"].field.choose("52")
+    bench.press("start")
+    assert (bench.state.step, bench.results()) == (SWEEPS, ["accepted"] * 3)
+    bench.press("focus")
+    assert bench.state.step == FOCUS
+    assert {track.location for track in window.document.design.inputs} == set(INPUTS)
+    assert window.document.view.outputs == (52,)
+    assert panel.verdict.text() == "Not verified."
+    bench.press("verify")
+    assert panel.verdict.text().startswith("Verified: ")
+    assert panel.verified.item(0, 0).text().startswith("52 ")
+    assert panel.verified.rowCount() == 9
+    answers["save"] = str(tmp_path / "p.h5")
+    bench.press("save")
+    saved = ss.people.open_partial(answers["save"])
+    assert (saved.person, saved.outputs, saved.inputs) == ("stand-in", (52,), INPUTS)
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    bench.press("report")
+    assert json.loads((tmp_path / "report.json").read_text("utf-8"))["state"] == "verified"
+    # What is mounted anew is not verified.
+    bench.press("start")
+    assert panel.verdict.text() == "Nothing is measured yet."
+    assert not panel.buttons["verify"].isEnabled()
+
+
+def test_the_place_of_the_sensor_is_the_output_that_is_clicked_on_the_skin(bench, window):
+    sensor = bench.panel.cells["output"].field
+    window.document.look(replace(window.document.view, outputs=(27,)))
+    assert (sensor.value, bench.state.sitting.output) == ("27", 27)
+    sensor.choose("36")
+    assert window.document.view.outputs == (36,)
+    bench.press("start")
+    window.document.look(replace(window.document.view, outputs=(3,)))
+    assert bench.state.sitting.output == 36
+
+
+def test_with_a_rig_the_sensor_is_moved_by_hand_from_place_to_place(bench):
+    bench.press("start")
+    bench.press("focus")
+    bench.calibrating._put(stand_in=False)
+    for box in bench.panel.checks.values():
+        box.click()
+    bench.panel.arm.click()
+    for count in (3, 6, 9):
+        bench.calibrating._station.output = bench.state.verification.next_output
+        bench.press("verify")
+        assert bench.panel.verified.rowCount() == count
+        moves = bench.panel.message.text().startswith("Move the sensor to output ")
+        assert moves == ("Not verified" in bench.panel.verdict.text()) == (count < 9)
+
+
+def test_a_failed_input_is_named_with_its_reason_and_measured_again(bench):
+    bench.seat(faults={12: "clips"})
+    bench.press("start")
+    first, failed, last = bench.results()
+    assert (first, last) == ("accepted", "accepted")
+    assert "clips" in failed
+    assert bench.panel.message.text().startswith(f"1 input not accepted. Place 12: {failed}")
+    measured = bench.state.rows
+    bench.press("repeat")
+    assert bench.results() == ["accepted"] * 3
+    assert [row in measured for row in bench.state.rows] == [True, False, True]
+    assert not bench.panel.buttons["repeat"].isEnabled()
+
+
+class Endless(StandIn):
+    """Plays until it is stopped."""
+
+    def record(self, mix, stop, report):
+        while not stop():
+            threading.Event().wait(0.01)
+        raise Stopped
+
+
+def test_stop_answers_while_sweeps_are_played(bench, qtbot):
+    bench.calibrating.make_stand_in = lambda output: Endless(output=output, inputs=INPUTS)
+    bench.press("start", wait=False)
+    assert not bench.panel.buttons["focus"].isEnabled()
+    bench.press("stop")
+    assert bench.panel.message.text().startswith("Stopped.")
+    assert bench.panel.buttons["start"].isEnabled()
+
+
+def test_a_rig_plays_only_when_all_is_ticked_and_armed_and_its_channels_are_known(
+    bench, window, tmp_path
+):
+    path, panel = tmp_path / "bench.skinrig", bench.panel
+    save_rig(path, Rig(title="Bench", channels=(RigChannel(place=7, output=1, full_scale_v=1.0),)))
+    window.playback.player.settings.choose_rig(path)
+    panel.cells["station"].field.choose("rig")
+    start = panel.buttons["start"]
+    assert (start.isEnabled(), start.toolTip()) == (False, "Enter a code of the person first")
+    panel.cells["person"].edited.emit("person", "p07", None)
+    assert (start.isEnabled(), start.toolTip()) == (False, "Tick all four points first")
+    for box in panel.checks.values():
+        box.click()
+    assert (start.isEnabled(), start.toolTip()) == (False, "Arm the actuators first")
+    panel.arm.click()
+    bench.press("start")
+    assert "Place 7 has no measured response" in panel.message.text()
+    window.playback.player.settings.choose_rig(None)
+    assert (bench.state.stand_in, panel.arm.isChecked()) == (True, False)
