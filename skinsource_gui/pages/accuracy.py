@@ -32,7 +32,6 @@ from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import in_column, in_row, named
-from skinsource_gui.qt.row_table import RowTable
 from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs

@@ -41,7 +41,6 @@ from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.resources import choice_of, columns_of, number_named
-from skinsource_gui.qt.row_table import RowTable
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJobs

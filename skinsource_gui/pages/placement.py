@@ -34,7 +34,6 @@ from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named
 from skinsource_gui.qt.questions import tab_separated
 from skinsource_gui.qt.resources import choice_of, columns_of, number_named
-from skinsource_gui.qt.row_table import RowTable
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJobs

@@ -46,7 +46,6 @@ from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scr
 from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.overlays import PALE, Staleness
-from skinsource_gui.qt.row_table import RowTable
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, dots_in_px, set_tone, tabular
 from skinsource_gui.state.worker import fault_text
 
