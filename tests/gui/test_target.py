@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QFontMetricsF, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -19,7 +19,7 @@ from skinsource.design.target import is_unsolved, target_in
 from skinsource.design.waveforms import Layers, Tap, Tone
 from skinsource.inverse.aiming import aim_of
 from skinsource.inverse.focusing import Wish
-from skinsource_gui.panels.target.panel import level_text
+from skinsource_gui.panels.target.panel import head_text, level_text
 from tests.gui.timeline.bench import LanesBench
 
 START = Design(limb="synthetic-1", inputs=(track(7, Tone()),))
@@ -144,7 +144,8 @@ def test_the_table_says_what_three_ways_do(at_target):
     assert ways == ["Best input: 12", "Time reversal", "Target"]
     assert panel.ways.item(2, 1).text().endswith("II middle rad.")
     assert panel.ways.item(2, 6).text().endswith("of 40")
-    assert "One actuator does as well." in panel.said.text()
+    assert not panel.ways.horizontalScrollBar().maximum()
+    assert "one actuator does nearly as well." in panel.said.text()
     assert "1 other track plays as well; the rows leave it out." in panel.said.text()
     document = window.document
     document.apply(edits.remove_inputs(document.design, document.view, document.design.ids[:1]))
@@ -289,8 +290,21 @@ def test_levels_are_not_deeper_than_the_model_is_exact(level_db, text):
 def test_other_people_are_beside_it(at_target, preferences):
     window = at_target()
     stroke(window, 30)
-    others = [each.title for each in window.panel(TARGET).people.people]
-    assert others == ["Synthetic 2", "Synthetic 3", "Synthetic 4"]
+    panel = window.panel(TARGET)
+    people = panel.people.people
+    assert [each.title for each in people] == ["Synthetic 2", "Synthetic 3", "Synthetic 4"]
+    assert panel.people_head.text() == "Same drives, other limbs: loudest other along z"
+    for each in people:
+        levels = np.delete(each.shown.levels_db[:42], 29)
+        assert each.loudest_db == pytest.approx(levels.max())
+        assert each.shown.levels_db[29] == pytest.approx(0.0)
+    loudest = replace(people[0], loudest_db=12.3)
+    panel.people.show_people((loudest, *people[1:]), (30,))
+    assert "Synthetic 2: loudest other +12.3 dB" in panel.people.toolTip()
+    assert panel.people.range_db == (-30.0, 13.0)
+    metrics = QFontMetricsF(panel.font())
+    assert head_text(loudest, metrics, 200.0) == "Synthetic 2\n+12.3 dB"
+    assert head_text(loudest, metrics, 20.0) == "2\n+12.3 dB"
 
 
 def test_its_clips_lead_back_to_it(qtbot):

@@ -88,9 +88,9 @@ def test_drives_of_one_person_are_played_on_another_and_fall_short_of_own_ones(m
     places = {tuple(track.location for track in design.inputs) for design in (first, carried, own)}
     assert places == {(7, 12, 13, 16, 17, 18)}
     said = numbers_in(scene.scene.sentence)
-    predicted = [over_the_loudest_other_db(design) for design in (first, carried, own)]
+    predicted = [-over_the_loudest_other_db(design) for design in (first, carried, own)]
     assert predicted == pytest.approx([said[0], said[1], said[4]], abs=0.5)
-    assert np.all(np.array(said[1:4]) < said[4:7])
+    assert np.all(np.array(said[1:4]) > said[4:7])
 
 
 def test_a_target_on_another_limb_is_that_scene_and_drives_of_another_limb_are_not():

@@ -40,7 +40,7 @@ def _tip_and_next(designs: tuple[Design, ...]) -> Wanted:
         f"{len(aims[-1].places)}; between its sensors expect {_deep(every.between_db)}."
     )
     if one.between_db - every.between_db < LEAST_GAIN_DB:
-        text += " One input does as well."
+        text += " One input does nearly as well."
     return Wanted(designs=tuple(map(_solved, designs, aims)), sentence=text)
 
 
@@ -84,12 +84,12 @@ def _drives_and_layouts(designs: tuple[Design, ...]) -> Wanted:
     aims = [aim_of(first), aim_of(own)]
     kind = first.limb.partition("-")[0]
     others = [load_limb(f"{kind}-{k}") for k in (2, 3, 4)]
-    theirs = [on_limb(aims[0], limb).contrast_db for limb in others]
+    theirs = [on_limb(aims[0], limb).loudest_db for limb in others]
     each_own = [aim_of(replace(own, limb=limb.name)) for limb in others]
-    at_home, *of_their_own = (on_limb(aim, aim.limb).contrast_db for aim in (aims[0], *each_own))
+    at_home, *of_their_own = (on_limb(aim, aim.limb).loudest_db for aim in (aims[0], *each_own))
     text = (
-        f"The place lies over the loudest other output by {_db(at_home)} on limb 1; on limbs 2, 3 "
-        f"and 4 by {_listed(theirs)} with the drives of limb 1, and by {_listed(of_their_own)} "
+        f"Re this place, the loudest other output is at {_db(at_home)} on limb 1; on limbs 2, 3 "
+        f"and 4 at {_listed(theirs)} with the drives of limb 1, and at {_listed(of_their_own)} "
         "with their own from the same inputs."
     )
     solved = _solved(first, aims[0])
