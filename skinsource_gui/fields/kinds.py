@@ -188,7 +188,7 @@ def _show_pictures(menu: QtWidgets.QMenu) -> None:
 class KindField(ChoiceField):
     """A drop-down field of the kinds of waveforms, whose list is their menu.
 
-    Keys choose among all kinds, as in any list.
+    Arrow keys choose among all kinds; letters do so in the open list.
     """
 
     def __init__(self, spec: ChoiceSpec, parent: QtWidgets.QWidget | None = None) -> None:
@@ -212,6 +212,13 @@ class KindField(ChoiceField):
         if self._menu is not None:
             self._menu.close()
         super().hidePopup()
+
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        # After a click that closed the list, a letter is meant for what was clicked.
+        if event.text().isalnum():
+            event.ignore()
+        else:
+            super().keyPressEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -65,10 +65,18 @@ class Answer:
     there: tuple[tuple[Layout, ...], ...]
     best_there: tuple[Layout, ...]
 
+    @property
+    def rows(self) -> list[tuple[Layout, tuple[Layout, ...]]]:
+        """Each layout, and how well it serves on all limbs."""
+        return list(zip(self.placement.ranked, self.there, strict=True))
+
     def behind_db(self, row: int) -> float:
         """Return by how much a layout is below the best of some limb, at most."""
         pairs = zip(self.there[row], self.best_there, strict=True)
         return max(0.0, *(best.score_db - there.score_db for there, best in pairs))
+
+
+_UNANSWERED = Answer(placement=Placement(ranked=(), exhaustive=True), there=(), best_there=())
 
 
 def answered(
@@ -126,7 +134,7 @@ class PlacementPage(ToolPage):
     ) -> None:
         super().__init__(parent, "placement_page", TITLE, _SIZE_PX)
         self._document, self.run = document, PageJobs(runner, self)
-        self.answer: Answer | None = None
+        self.answer = _UNANSWERED
         limb, found = document.design.limb, target_in(document.design)
         self._target = found[1] if found else None
         kind, published = limb.rpartition("-")[0], limb in PUBLISHED
@@ -228,7 +236,7 @@ class PlacementPage(ToolPage):
             self.ask()
 
     def _clear(self) -> None:
-        self.answer = None
+        self.answer = _UNANSWERED
         self.table.fill(())
         for part in (self._copy, self._use):
             part.setEnabled(False)
@@ -236,13 +244,10 @@ class PlacementPage(ToolPage):
 
     def _show(self, _job: Job[Answer], answer: Answer) -> None:
         self.answer = answer
-        self.table.fill([self._cells(*each) for each in self._layouts(answer)])
+        self.table.fill([self._cells(*each) for each in answer.rows])
         for part in (self._copy, self._use):
             part.setEnabled(True)
         self.hand.show()
-
-    def _layouts(self, answer: Answer) -> list[tuple[Layout, tuple[Layout, ...]]]:
-        return list(zip(answer.placement.ranked, answer.there, strict=True))
 
     def _words(self, inputs: tuple[int, ...]) -> tuple[str, str]:
         names = (input_name(number, self._people[0]).short_name for number in inputs)
@@ -256,7 +261,7 @@ class PlacementPage(ToolPage):
         return [*words, *((minus(text), minus(hint)) for text, hint in numbers)]
 
     def _show_layout(self, row: int, *_: int) -> None:
-        if self.answer is None or row < 0:
+        if row < 0:
             return
         inputs = self.answer.placement.ranked[row].inputs
         colour = current_theme().input_colour(0)
@@ -267,21 +272,17 @@ class PlacementPage(ToolPage):
 
     def copy(self) -> None:
         """Copy the layouts as a table, with the score on each limb as well."""
-        if self.answer is None:
-            return
         names = [short_limb_title(name) for name in self._people]
         heads = ["Inputs", "Where", "Score, dB", "Loss, dB"]
         heads += [f"{what} on {name}, dB" for name in names for what in ("Score", "Loss")]
         lines: list[Sequence[str | float]] = [heads]
-        for of, there in self._layouts(self.answer):
+        for of, there in self.answer.rows:
             numbers = [db for each in (of, *there) for db in (each.score_db, each.loss_db)]
             lines.append([*self._words(of.inputs), *numbers])
         QtGui.QGuiApplication.clipboard().setText(tab_separated(lines))
 
     def _take(self) -> None:
         """Give the target the chosen inputs; where there is none, one of the asked outputs."""
-        if self.answer is None:
-            return
         inputs = self.answer.placement.ranked[self.table.currentRow()].inputs
         target = replace(self._target or Target(strong=self.which.value), inputs=inputs, most=0)
         outcome = edits.change_target(self._document.design, self._document.view, target)

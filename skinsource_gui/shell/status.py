@@ -374,7 +374,7 @@ class JobBar(QtWidgets.QWidget):
         title = "" if job is None else job.title
         elided = self._name.fontMetrics().elidedText(title, Qt.TextElideMode.ElideMiddle, _NAME_PX)
         self._name.setText(f"{elided} (+{waiting})" if waiting else elided)
-        self._name.setToolTip(f"{title}\n{waiting} more to come" if waiting else title)
+        self._name.setToolTip(f"{title}\n{waiting} more" if waiting else title)
         # The keyboard goes back to where work is done.
         if job is None and self._cancel.hasFocus():
             self.window().setFocus()

@@ -1,4 +1,4 @@
-"""Long jobs, one after another, away from the GUI thread.
+"""Jobs away from the GUI thread: long ones one after another, and quick ones beside them.
 
 `PageJobs` follows the jobs of one page, `Levelling` edits wavelets and tracks after their
 prediction.
@@ -8,6 +8,7 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import chain
 from threading import Event
 from time import perf_counter
 from typing import Any
@@ -54,14 +55,26 @@ class JobProgress:
         return seconds_left(self.done, self.total, self.elapsed_s)
 
 
+class _Lane:
+    """Jobs one after another in a thread."""
+
+    def __init__(self, name: str, parent: QObject) -> None:
+        self.waiting: deque[Job[Any]] = deque()
+        # It is cleared away, if it is not `current`.
+        self.running: Job[Any] | None = None
+        self.current: Job[Any] | None = None
+        self.stop = Event()
+        self.worker = Worker(name, parent)
+
+
 class JobRunner(QObject):
-    """Runs jobs in the order in which they were added."""
+    """Runs jobs in the order in which they were added; quick ones do not wait for long ones."""
 
     #: A job begins once this returns.
     starting = Signal()
     #: Another job runs, or none, or other jobs wait.
     changed = Signal()
-    #: The job, and its `JobProgress`.
+    #: The `current` job, and its `JobProgress`.
     progressed = Signal(object, object)
     #: The job that is finished, and its result.
     done = Signal(object, object)
@@ -72,64 +85,75 @@ class JobRunner(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._waiting: deque[Job[Any]] = deque()
         self._ends: dict[Job[Any], dict[str, Callable[..., object]]] = {}
-        self._running: Job[Any] | None = None
-        self._stop = Event()
-        self._worker = Worker("skinsource-job", self)
-        self.current: Job[Any] | None = None
+        # That of long jobs, and that of quick ones.
+        self._lanes = _Lane("skinsource-job", self), _Lane("skinsource-quick-job", self)
+
+    @property
+    def current(self) -> Job[Any] | None:
+        """The running job, a quick one before a long one."""
+        return self._lanes[True].current or self._lanes[False].current
 
     @property
     def busy(self) -> bool:
         """Whether a job runs, is cleared away, or waits."""
-        return self._running is not None
+        return any(lane.running for lane in self._lanes)
 
     @property
     def unfinished(self) -> tuple[Job[Any], ...]:
-        """The running job, if any, and those that wait; empty after `close`."""
-        if self._worker.closed:
+        """The running jobs, and those that wait; empty after `close`."""
+        if self._lanes[0].worker.closed:
             return ()
-        return (*([self.current] if self.current else []), *self._waiting)
+        jobs = ((lane.current, *lane.waiting) for lane in reversed(self._lanes))
+        return tuple(filter(None, chain(*jobs)))
 
-    def add(self, job: Job[Any], **ends: Callable[..., object]) -> None:
-        """Run ``job`` after those that were added before.
+    def add(self, job: Job[Any], **ends: Callable[..., object]) -> Job[Any] | None:
+        """Run ``job`` after those that were added before, and return the one it waits for, if any.
 
         ``ends``: called with what the signal of this name tells besides the job.
         """
-        self._waiting.append(job)
+        lane = self._lanes[job.quick]
+        before = lane.waiting[-1] if lane.waiting else lane.running
+        lane.waiting.append(job)
         self._ends[job] = ends
-        if self._running is None:
-            self._start_next()
+        if before is None:
+            self._start_next(lane)
         else:
             self.changed.emit()
+        return before
 
     def cancel(self, job: Job[Any] | None = None) -> None:
-        """Stop ``job``, or the running one; the next one begins."""
-        if job is None or job is self.current:
-            self._stop.set()
-        elif job in self._waiting:
-            self._waiting.remove(job)
+        """Stop ``job``, or the `current` one; the next one begins."""
+        job = job or self.current
+        if job is None:
+            return
+        lane = self._lanes[job.quick]
+        if job is lane.current:
+            lane.stop.set()
+        elif job in lane.waiting:
+            lane.waiting.remove(job)
             self.changed.emit()
             self._end(job, "cancelled")
 
     def close(self) -> None:
-        """Drop all jobs, stop the running one, and wait until it is cleared away."""
-        self._waiting.clear()
-        self._stop.set()
-        self._worker.close()
+        """Drop all jobs, stop the running ones, and wait until they are cleared away."""
+        for lane in self._lanes:
+            lane.waiting.clear()
+            lane.stop.set()
+            lane.worker.close()
 
-    def _start_next(self) -> None:
-        self._running = self.current = self._waiting.popleft() if self._waiting else None
-        if self._running is not None:
+    def _start_next(self, lane: _Lane) -> None:
+        lane.running = lane.current = lane.waiting.popleft() if lane.waiting else None
+        if lane.running is not None:
             self.starting.emit()
             # A new event: the thread may still check that of the job before.
-            self._stop = Event()
-            job = self._running
-            work = partial(job.run, self._progress_of(job), self._stop_of(job, self._stop))
-            self._worker.run(work, partial(self._receive, job))
+            lane.stop = Event()
+            job = lane.running
+            work = partial(job.run, self._progress_of(job, lane), self._stop_of(job, lane))
+            lane.worker.run(work, partial(self._receive, job, lane))
         self.changed.emit()
 
-    def _progress_of(self, job: Job[Any]) -> Progress:
+    def _progress_of(self, job: Job[Any], lane: _Lane) -> Progress:
         start_s, last_s = perf_counter(), 0.0
 
         def tell(done: int, total: int, text: str) -> None:
@@ -138,12 +162,12 @@ class JobRunner(QObject):
             if not total or now_s - last_s >= _PROGRESS_INTERVAL_S:
                 last_s = now_s
                 progress = JobProgress(done, total, text, now_s - start_s)
-                self._worker.tell(self._tell, job, progress)
+                lane.worker.tell(self._tell, job, progress)
 
         return tell
 
-    def _stop_of(self, job: Job[Any], stop: Event) -> Stop:
-        is_stopping = False
+    def _stop_of(self, job: Job[Any], lane: _Lane) -> Stop:
+        stop, is_stopping = lane.stop, False
 
         def should_stop() -> bool:
             nonlocal is_stopping
@@ -151,7 +175,7 @@ class JobRunner(QObject):
                 # From here on nothing is written.  To clear away may take longer than the user
                 # should have to wait.
                 is_stopping = True
-                self._worker.tell(self._note_stopping, job)
+                lane.worker.tell(self._note_stopping, job, lane)
             return is_stopping
 
         return should_stop
@@ -160,15 +184,15 @@ class JobRunner(QObject):
         if job is self.current:
             self.progressed.emit(job, progress)
 
-    def _note_stopping(self, job: Job[Any]) -> None:
-        if job is self.current:
-            self.current = None
+    def _note_stopping(self, job: Job[Any], lane: _Lane) -> None:
+        if job is lane.current:
+            lane.current = None
             self.changed.emit()
             self._end(job, "cancelled")
 
-    def _receive(self, job: Job[Any], result: object, error: Exception | None) -> None:
-        was_cancelled = self.current is not job
-        self._start_next()
+    def _receive(self, job: Job[Any], lane: _Lane, result: object, error: Exception | None) -> None:
+        was_cancelled = lane.current is not job
+        self._start_next(lane)
         if was_cancelled:
             return
         if error is None:
@@ -287,7 +311,7 @@ class Levelling(QObject):
             return
         id = clip.id
         self._run(
-            Job("Balancing wavelets", partial(wavelet_levels_db, design, id)),
+            Job("Balancing wavelets", partial(wavelet_levels_db, design, id), quick=True),
             sources=lambda of: _level_sources(of, id),
             edit=lambda of, view, levels: edits.equalise_on_skin(of, view, id, levels, MEASURE),
         )
@@ -301,7 +325,7 @@ class Levelling(QObject):
             setup = of.limb, of.limb_digest, of.scaling, of.actuated
             return setup, [track for track in of.inputs if track.id in ids]
 
-        job = Job("Matching inputs", partial(track_levels_db, design, ids))
+        job = Job("Matching inputs", partial(track_levels_db, design, ids), quick=True)
         self._run(job, sources=sources, edit=edits.match_tracks)
 
     def _run(

@@ -30,11 +30,11 @@ def wait(qtbot, window):
 
 @pytest.fixture
 def gate(write_with):
-    """Hold exports of the field until they are let go, or stopped."""
+    """Hold exports of the field and of the film until they are let go, or stopped."""
     gate = threading.Event()
     gate.started = threading.Event()
 
-    def write(path, design, view, *, progress, stop, largest_error):
+    def write(path, design, view, *, progress, stop, largest_error, **_):
         progress(340, 1000, "Writing")
         gate.started.set()
         while not gate.wait(0.001):
@@ -42,7 +42,8 @@ def gate(write_with):
                 raise Stopped
         path.write_text(str(len(design.inputs)))
 
-    write_with("field", write)
+    for name in ("field", "animation"):
+        write_with(name, write)
     return gate
 
 
@@ -145,6 +146,30 @@ def test_a_running_export_is_seen_and_cancelled_with_a_click(
     assert not window.actions_by_name["cancel_job"].isEnabled()
     assert "cancelled" in window.statusBar().currentMessage()
     assert os.listdir(tmp_path) == []
+
+
+def test_a_table_does_not_wait_for_a_film_and_exports_are_cancelled_in_the_dialog(
+    qtbot, window, wait, gate, answers, tmp_path
+):
+    pytest.importorskip("imageio_ffmpeg")
+    window.document.look(replace(window.document.view, slow_motion=20.0))
+    for name in ("film.mp4", "next.mp4"):
+        answers["save"] = str(tmp_path / name)
+        export(window, "animation")
+    page = window.exports.page
+    assert page.message.text() == "next.mp4 waits for film.mp4. Close lets it go on."
+    answers["save"] = str(tmp_path / "levels.csv")
+    export(window, "levels")
+    page = window.exports.page
+    assert page.message.text() == "levels.csv is written. Close lets it go on."
+    qtbot.waitUntil((tmp_path / "levels.csv").exists, timeout=20_000)
+    for name in ("film.mp4", "next.mp4"):
+        qtbot.waitUntil(lambda n=name: page.cancel.text() == f"Cancel {n}")
+        page.cancel.click()
+    wait()
+    assert page.cancel.isHidden()
+    assert os.listdir(tmp_path) == ["levels.csv"]
+    window.exports.end()
 
 
 def test_what_is_too_inaccurate_is_written_only_if_the_user_agrees(

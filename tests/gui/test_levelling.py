@@ -59,7 +59,7 @@ def test_selected_tracks_are_matched_in_one_step(qtbot, trained):
     trained.do("match_tracks")
     qtbot.waitUntil(lambda: trained.document.undo_stack.count() == 1)
     (said,) = messages
-    assert "2 inputs to 3 (" in said
+    assert "Matched 1 input to input 3 (" in said
     assert "magnitude of x, y, z, loudest 100 ms" in said
     assert trained.document.design.inputs[-1].amplitude == 1.0
     levels_db = track_levels_db(trained.document.design, (1, 2))

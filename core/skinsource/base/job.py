@@ -55,10 +55,13 @@ class Job(Generic[Result]):
         What it does, for the user: "Exporting levels.csv".
     work
         Does it; ``functools.partial(install, folder)`` for instance.
+    quick
+        Whether it should not wait for long jobs.
     """
 
     title: str
     work: Work[Result]
+    quick: bool = False
 
     def run(self, progress: Progress = silent, stop: Stop = never) -> Result:
         """Do the work in this thread.

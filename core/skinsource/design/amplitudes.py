@@ -119,15 +119,14 @@ def amplitude_meaning(design: Design) -> str:
     """Say what an input's amplitude means."""
     if design.actuated is None:
         return (_MEANINGS if _unit_known(design) else _MEANINGS_OF_DRIVES)[design.scaling]
-    quantity = "Voltage" if design.actuated.equaliser is None else "Acceleration"
-    return f"{quantity} {amplitude_in_short(design)}"
+    return " ".join(_through(design.actuated))
 
 
 def amplitude_in_short(design: Design) -> str:
     """Return what follows the amplitude of an input: ``"at the probe"``."""
     if design.actuated is None:
         return _IN_SHORT[design.scaling]
-    return "at the actuator" if design.actuated.equaliser is None else "at the contactor"
+    return _through(design.actuated)[1]
 
 
 def amplitude_spec(design: Design) -> NumberSpec:
@@ -140,7 +139,10 @@ def amplitude_note(
     limb: str, digest: str, scaling: Scaling, actuated: Actuation | None = None
 ) -> str:
     """Say what amplitudes mean where the scaling alone does not; empty where it does."""
-    if actuated is not None or scaling == "upstream" or drive_unit_known(limb, digest):
+    if actuated is not None:
+        unit = "V" if actuated.equaliser is None else _UNITS[scaling]
+        return f"{lowered(' '.join(_through(actuated)))}, {unit}"
+    if scaling == "upstream" or drive_unit_known(limb, digest):
         return ""
     return lowered(_MEANINGS_OF_DRIVES[scaling])
 
@@ -169,6 +171,13 @@ def equaliser_of(design: Design) -> Equaliser | None:
     """
     chosen = design.actuation
     return chosen.equaliser if chosen is not None and drive_unit(design) == "m/s²" else None
+
+
+def _through(actuated: Actuation) -> tuple[str, str]:
+    """Return what an amplitude is at an actuator, and where."""
+    if actuated.equaliser is None:
+        return "Voltage", "at the actuator"
+    return "Acceleration", "at the contactor"
 
 
 def _has_its_own_size(waveform: Waveform) -> bool:

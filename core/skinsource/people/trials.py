@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -18,27 +17,11 @@ _NOISE_HZ: Band = (25.0, 400.0)
 _NEAR_HZ = 0.635
 
 
-@dataclass(frozen=True, kw_only=True)
-class Held:
-    """What the range of other people held of one person's levels.
+def range_held(limbs: Sequence[Limb | str] | None = None) -> dict[str, tuple[float, list[float]]]:
+    """Return what the range of other people held of one person's levels, by what played.
 
-    Attributes
-    ----------
-    played
-        What played: a tone, an octave, noise.
-    half_db
-        Half the width of the range, mean over the people left out.
-    shares
-        Of each person's levels, from all places to all outputs of the hand, that lay in the range.
-    """
-
-    played: str
-    half_db: float
-    shares: tuple[float, ...]
-
-
-def range_held(limbs: Sequence[Limb | str] | None = None) -> tuple[Held, ...]:
-    """Return what the range held for tones, octaves and noise.
+    That is half the width of the range, dB, mean over the people left out, and the share of each
+    one's levels, from all places to all outputs of the hand, that lay in the range.
 
     Parameters
     ----------
@@ -52,7 +35,7 @@ def range_held(limbs: Sequence[Limb | str] | None = None) -> tuple[Held, ...]:
     inputs = range(1, people[0].n_inputs + 1)
     every_db = np.stack([band_levels_db(limb, inputs, [*bands.values()]) for limb in people])
     levels_db = every_db[:, :, np.array(hand_outputs(people[0])) - 1]
-    found = []
+    found = {}
     for band, played in enumerate(bands):
         halves, shares = [], []
         for person in range(len(people)):
@@ -61,16 +44,15 @@ def range_held(limbs: Sequence[Limb | str] | None = None) -> tuple[Held, ...]:
             far_db = np.abs(levels_db[person, band] - others_db.mean(axis=0))
             halves.append(half_db)
             shares.append(float((far_db <= half_db).mean()))
-        found.append(Held(played=played, half_db=float(np.mean(halves)), shares=tuple(shares)))
-    return tuple(found)
+        found[played] = float(np.mean(halves)), shares
+    return found
 
 
-def held_text(held: Sequence[Held]) -> str:
+def held_text(held: Mapping[str, tuple[float, list[float]]]) -> str:
     """Return a table of what was held."""
     head = "| plays | half width, dB | held of each person left out, % |\n|---|---|---|\n"
     rows = (
-        f"| {each.played} | {each.half_db:.1f} | "
-        f"{', '.join(f'{100 * share:.0f}' for share in each.shares)} |"
-        for each in held
+        f"| {played} | {half_db:.1f} | {', '.join(f'{100 * share:.0f}' for share in shares)} |"
+        for played, (half_db, shares) in held.items()
     )
     return head + "\n".join(rows)

@@ -8,9 +8,10 @@ from PySide6.QtCore import Qt, Signal
 from skinsource.design.design import Design, View
 from skinsource_gui.pages.files import exports
 from skinsource_gui.pages.files.export_parts import ExportPart, FilePart
-from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET, DrawerOf
+from skinsource_gui.pages.files.exports import FILM, STIMULUS, STIMULUS_SET, DrawerOf
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.stimulus.page import SetPart, StimulusPart
+from skinsource_gui.plots.pictures import MOVING
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX
 
@@ -54,6 +55,8 @@ class ExportPage(ToolPage):
         self._picture_options, self._stem = picture_options, stem
         self._last_stimulus = last_stimulus
         self._parts: dict[str, ExportPart] = {}
+        # What was shown of the parts that are made anew.
+        self._shown: dict[str, str] = {}
         self._list = named(QtWidgets.QListWidget(), "export_groups", "What to export")
         self._list.setSpacing(UNIT_PX // 4)
         self._list.addItems(list(dict.fromkeys(spec.group for spec in exports.EXPORTS)))
@@ -65,6 +68,10 @@ class ExportPage(ToolPage):
             "Export…", QtWidgets.QDialogButtonBox.ButtonRole.AcceptRole
         )
         self._button.setObjectName("export_button")
+        #: Cancels the running job, which it names.
+        self.cancel = buttons.addButton("", QtWidgets.QDialogButtonBox.ButtonRole.ResetRole)
+        named(self.cancel, "cancel_export", hint="Stop this task, and clean up")
+        self.cancel.setAutoDefault(False)
         columns = in_row(self._list, (self._stack, 1), gap_px=2 * UNIT_PX)
         in_column((columns, 1), self.message, buttons, of=self)
         self._list.currentTextChanged.connect(self._show_group)
@@ -89,6 +96,7 @@ class ExportPage(ToolPage):
         for group, part in list(self._parts.items()):
             if part is not self.part:
                 part.close_worker()
+                self._shown[group] = part.name
                 self._parts.pop(group).deleteLater()
             elif isinstance(part, StimulusPart):
                 part.show_design(design)
@@ -133,7 +141,8 @@ class ExportPage(ToolPage):
             return stimulus
         pictures = self._drawer_of, self._picture_options
         part = FilePart(specs, self._design, self._view, *pictures, self._wired)
-        part.show_export(specs[0].name)
+        moves = specs[0].name == FILM and self._drawer_of(MOVING).visible is not None
+        part.show_export(self._shown.get(group) or specs[moves].name)
         return part
 
     def _wired(self) -> dict[str, Any]:

@@ -36,9 +36,11 @@ from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.pages.files.maps_film import export_maps_film
 from skinsource_gui.panels.skin.film import export_animation
 from skinsource_gui.plots.pictures import Picture
+from skinsource_gui.qt.buttons import show_or_hide
 from skinsource_gui.qt.questions import ask_to_replace, ask_yes
 from skinsource_gui.qt.resources import read_text
 from skinsource_gui.state.services import Services
+from skinsource_gui.state.worker import fault_text
 
 #: The exports that need more than design and view, or a selection.
 STIMULUS, FILM, PACK, WIRING, TRACES = "stimulus", "animation", "pack", "wiring", "traces"
@@ -117,6 +119,7 @@ def _specs() -> Iterator[ExportSpec]:
 
 
 EXPORTS = tuple(_specs())
+_EXPORTING = "Exporting "
 
 #: A visible error, relative to the largest sample.
 VISIBLE = 1e-3
@@ -140,6 +143,7 @@ class ExportActions(QObject):
         self._runner = services.runner
         self._picture_options: dict[str, Any] = {}
         self._last = STIMULUS
+        self._runner.changed.connect(self._show_running)
         #: The dialog, while it is open.
         self.page: Any = None
 
@@ -159,10 +163,12 @@ class ExportActions(QObject):
         )
         page.show_export(name or self._last)
         page.chosen.connect(self._ask_and_write)
+        page.cancel.clicked.connect(lambda: self._runner.cancel())
         page.edited.connect(self._edit)
         page.finished.connect(self._forget_page)
         self._files.done.connect(page.say)
         self.failed.connect(page.complain)
+        self._show_running()
         page.open()
 
     def end(self) -> None:
@@ -204,8 +210,11 @@ class ExportActions(QObject):
         # Tables and films hold the design without the gain that matches its level to another's.
         matched = self._document.view.match_gain(self._document.design) != 1.0
         note = "amplitudes are as stored, levels are not matched" if matched else ""
-        page.say(f"Writing {path.name}. Close lets it go on.")
-        self._add(path, write, note)
+        quick = page.part.name not in (FILM, MAPS_FILM, STIMULUS_SET)
+        work = partial(write, largest_error=VISIBLE)
+        before = self._add(path, Job(f"{_EXPORTING}{path.name}", work, quick), note)
+        does = f"waits for {_file_of(before)}" if before else "is written"
+        page.say(f"{path.name} {does}. Close lets it go on.")
 
     def _may_write(self, path: Path, written: Iterable[tuple[Path, ...]]) -> bool:
         """Return whether files other than ``path``, on which the dialog asked, may be replaced."""
@@ -227,9 +236,16 @@ class ExportActions(QObject):
         else:
             self._files.note_written(path)
 
-    def _add(
-        self, path: Path, write: Callable[..., Any], note: str, largest_error: float = VISIBLE
-    ) -> None:
+    def _show_running(self) -> None:
+        """Offer to cancel the running job, as the status bar does behind the dialog."""
+        job = self._runner.current
+        if self.page is not None:
+            text = f"Cancel {_file_of(job)}" if job else ""
+            show_or_hide(self.page.cancel, text.replace("&", "&&"))
+
+    def _add(self, path: Path, job: Job[Any], note: str) -> Job[Any] | None:
+        """Return the job after which the file is written, if it waits for one."""
+
         def note_written(result: Any) -> None:
             self._files.note_written(result if isinstance(result, Path) else path, note)
 
@@ -240,19 +256,20 @@ class ExportActions(QObject):
             if isinstance(error, TooInaccurateError):
                 question = f"{path.name}: {error} Export anyway?"
                 if ask_yes(self._window, "Inaccurate numbers", question):
-                    self._add(path, write, note, math.inf)
+                    write: Any = job.work
+                    anyway = partial(write, largest_error=math.inf)
+                    self._add(path, replace(job, work=anyway), note)
             elif isinstance(error, SkinSourceError):
                 self.failed.emit(str(error))
             else:
                 _log.error("an export failed", exc_info=error)
-                self.failed.emit(
-                    f"{path.name} was not exported: the studio made a mistake "
-                    f"({type(error).__name__}: {error}). Please report this."
-                )
+                self.failed.emit(f"{path.name} was not exported. {fault_text(error)}")
 
-        self._runner.add(
-            Job(f"Exporting {path.name}", partial(write, largest_error=largest_error)),
-            done=note_written,
-            cancelled=note_cancelled,
-            failed=note_failed,
+        return self._runner.add(
+            job, done=note_written, cancelled=note_cancelled, failed=note_failed
         )
+
+
+def _file_of(job: Job[Any]) -> str:
+    """Return the name of the file that a job writes, or what else it does."""
+    return job.title.removeprefix(_EXPORTING)

@@ -15,6 +15,7 @@ from skinsource.design.amplitudes import (
     drive_unit,
 )
 from skinsource.design.design import View
+from skinsource.export.exported_design import describe_played
 from skinsource.export.tables import export_traces
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of, remove_limb
 from skinsource.limbs.scaling import SCALINGS
@@ -81,6 +82,9 @@ def test_actuators_are_asked_for_volts_or_accelerations_whatever_the_limb_answer
     assert (amplitude_unit(volts), drive_unit(volts)) == ("V", "V")
     assert (amplitude_unit(accelerations), drive_unit(accelerations)) == ("m/s²", "m/s²")
     assert amplitude_meaning(accelerations) == "Acceleration at the contactor"
+    for design, said in ((volts, "voltage at the actuator, V"), (accelerations, "m/s²")):
+        table = describe_played(LAB.limb, "", design.scaling, (), design.actuated)
+        assert any(line.startswith("amplitudes: ") and said in line for line in table)
     off = replace(LAB, actuation=replace(asked, on=False))
     assert amplitude_unit(off) == "a.u."
 

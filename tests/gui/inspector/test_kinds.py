@@ -157,6 +157,15 @@ def test_letters_that_are_typed_find_the_waveform_in_the_open_list(qtbot, field)
     assert field.value == KINDS[-1].__name__
 
 
+def test_a_closed_list_leaves_letters_to_what_was_clicked_to_close_it(field):
+    field.setFocus()
+    kind = field.value
+    QTest.keyClick(field, "g")
+    assert field.value == kind
+    QTest.keyClick(field, Qt.Key.Key_Down)
+    assert field.value != kind
+
+
 def test_every_kind_can_become_every_other():
     for kind, other in product(waveforms.KINDS, repeat=2):
         assert type(as_kind(kind(), other, 1300.0)) is other

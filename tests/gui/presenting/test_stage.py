@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFrame, QLabel
+from PySide6.QtWidgets import QFrame, QLabel, QListWidget
 
 import skinsource as ss
 from skinsource.base.job import never, silent
@@ -770,6 +770,21 @@ def test_maps_that_move_side_by_side_are_filmed_in_a_loop(stage, qtbot, tmp_path
     window.document.look(replace(window.document.view, slow_motion=2.0))
     assert not shown(window, "maps_animation").ready
     window.exports.end()
+
+
+def test_a_film_is_of_the_maps_in_motion_unless_another_was_chosen(stage, qtbot):
+    side_by_side(stage, qtbot, 2, of="frequencies", frequencies_hz=(50.0,))
+    shown(stage.window(), "stimulus")
+    page = stage.window().exports.page
+    groups = page.findChild(QListWidget, "export_groups")
+    groups.setCurrentRow(3)
+    assert page.part.name == "maps_animation"
+    page.part.show_export("animation")
+    groups.setCurrentRow(0)
+    page.show_design(stage.window().document.design)
+    groups.setCurrentRow(3)
+    assert page.part.name == "animation"
+    stage.window().exports.end()
 
 
 def test_a_film_of_frequencies_says_what_the_tones_are_and_when_it_is(stage, qtbot, monkeypatch):

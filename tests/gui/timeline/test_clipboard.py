@@ -140,7 +140,7 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
 # What stands among them in the menu; and the keys of the others.
 OTHERS = {
     *("aim", "show_clip_editor", "match_tracks", "make_motion", "equalise_on_skin"),
-    "ungroup_clips",
+    *("ungroup_clips", "place_actuators"),
 }
 ON_CLIPS = "nudge change_track split repeat mute duplicate fade_in fade_out stretch_clip remove"
 

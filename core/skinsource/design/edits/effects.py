@@ -14,7 +14,7 @@ from typing import Any, TypeAlias, TypeVar
 
 from skinsource.base.arguments import checking, one_of
 from skinsource.base.conventions import Floats
-from skinsource.base.errors import InvalidInputError, quoted
+from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.design.clips import GAIN, LABEL, MAX_EFFECTS, ONSET, Clip
 from skinsource.design.design import AMPLITUDE, GAIN_CURVE, Design, Input, View
 from skinsource.design.edits.clips import chosen_clips, clips_text, present_clips
@@ -661,9 +661,11 @@ def match_tracks(design: Design, view: View, levels_db: Mapping[int, float]) -> 
         for track in chosen
     }
     outcome = change_inputs(design, view, "Match levels of", changes)
-    whom = location_text(design.input(last[-1]).location, design.limb) if last else "the strongest"
+    place = location_text(design.input(last[-1]).location, design.limb) if last else ""
+    n_changed = sum(changes[track.id]["amplitude"] != track.amplitude for track in chosen)
     measure = f"magnitude of {', '.join(facts_of(design.limb).axes)}, {span_label('loudest')}"
-    said = f"Matched {len(chosen)} inputs to {whom}, by the {measure} of any output"
+    what = f"{counted(n_changed, 'input')} to {f'input {place}' if last else 'the strongest'}"
+    said = f"Matched {what}, by the {measure} of any output"
     return replace(outcome, said=said) if isinstance(outcome, Edit) else outcome
 
 
