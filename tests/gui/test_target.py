@@ -146,7 +146,7 @@ def test_the_table_says_what_three_ways_do(at_target):
     assert panel.ways.item(2, 6).text().endswith("of 40")
     assert not panel.ways.horizontalScrollBar().maximum()
     assert "one actuator does nearly as well." in panel.said.text()
-    assert "1 other track plays as well; the rows leave it out." in panel.said.text()
+    assert "The rows leave out 1 other track." in panel.said.text()
     document = window.document
     document.apply(edits.remove_inputs(document.design, document.view, document.design.ids[:1]))
     window.settle_target()
@@ -291,20 +291,17 @@ def test_other_people_are_beside_it(at_target, preferences):
     window = at_target()
     stroke(window, 30)
     panel = window.panel(TARGET)
-    people = panel.people.people
-    assert [each.title for each in people] == ["Synthetic 2", "Synthetic 3", "Synthetic 4"]
+    first, *others = panel.people.people
+    assert [each.title for each in others] == ["Synthetic 3", "Synthetic 4"]
     assert panel.people_head.text() == "Same drives, other limbs: loudest other along z"
-    for each in people:
-        levels = np.delete(each.shown.levels_db[:42], 29)
-        assert each.loudest_db == pytest.approx(levels.max())
-        assert each.shown.levels_db[29] == pytest.approx(0.0)
-    loudest = replace(people[0], loudest_db=12.3)
-    panel.people.show_people((loudest, *people[1:]), (30,))
+    levels = first.shown.levels_db[:42] - first.shown.levels_db[29]
+    assert first.loudest_db == np.delete(levels, 29).max()
+    loudest = replace(first, loudest_db=12.3)
+    panel.people.show_people((loudest, *others), (30,))
     assert "Synthetic 2: loudest other +12.3 dB" in panel.people.toolTip()
     assert panel.people.range_db == (-30.0, 13.0)
-    metrics = QFontMetricsF(panel.font())
-    assert head_text(loudest, metrics, 200.0) == "Synthetic 2\n+12.3 dB"
-    assert head_text(loudest, metrics, 20.0) == "2\n+12.3 dB"
+    heads = [head_text(loudest, QFontMetricsF(panel.font()), room) for room in (200.0, 20.0)]
+    assert heads == ["Synthetic 2\n+12.3 dB", "2\n+12.3 dB"]
 
 
 def test_its_clips_lead_back_to_it(qtbot):

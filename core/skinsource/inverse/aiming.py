@@ -395,12 +395,13 @@ def on_limb(aim: Aim, limb: Limb) -> OnLimb:
     )
     levels_db = _levels_db(responses, aim.spectra, _bright(aim, aim.spectra, responses))
     loudest = _loudest_other(aim, responses, levels_db)
-    loudest_db = float(levels_db[loudest - 1])
-    return OnLimb(levels_db=levels_db, loudest_db=loudest_db, loudest=loudest)
+    return OnLimb(levels_db=levels_db, loudest_db=float(levels_db[loudest - 1]), loudest=loudest)
 
 
 #: Between sensors a target has to gain so much over the best single input, dB.
 LEAST_GAIN_DB = 3.0
+# Level re the strong outputs from which another one is louder: less is written as 0.0 dB.
+_LOUDER_DB = 0.05
 # Share of the amplitude that counts as all of it.
 _REACHED = 0.995
 #: Nothing is told to be deeper: responses are known to about 30 %.
@@ -426,12 +427,9 @@ def sentences(aim: Aim, found: tuple[Way, Way, Way], design: Design) -> tuple[st
         said.append(sentence(str(error)))
     else:
         if margin.factor < 1.0:
-            said.append(
-                _not_within(
-                    f"the actuator's limits ({margin.words})", margin.factor * own.amplitude
-                )
-            )
-    if _is_louder(own) and not aim.target.quiet:
+            limits = f"the actuator's limits ({margin.words})"
+            said.append(_not_within(limits, margin.factor * own.amplitude))
+    if own.loudest_db >= _LOUDER_DB and not aim.target.quiet:
         said.append(_louder(aim, found))
     if len(aim.places) > 1:
         gain_db = round(single.between_db - own.between_db, 1)
@@ -439,30 +437,22 @@ def sentences(aim: Aim, found: tuple[Way, Way, Way], design: Design) -> tuple[st
     if own.quiet_db < DEEPEST_DB:
         said.append(f"What is quiet is below {DEEPEST_DB:g} dB in the model.")
     if others := tracks_beside(design):
-        plays = "plays" if others == 1 else "play"
-        them = "it" if others == 1 else "them"
-        said.append(f"{counted(others, 'other track')} {plays} as well; the rows leave {them} out.")
+        said.append(f"The rows leave out {counted(others, 'other track')}.")
     return tuple(said)
-
-
-def _is_louder(found: Way | OnLimb) -> bool:
-    """Return whether another output is louder than the strong ones, as levels are written."""
-    return round(found.loudest_db, 1) > 0.0
 
 
 def _louder(aimed: Aim, found: tuple[Way, Way, Way]) -> str:
     """Return that an output is louder than the strong ones, and what helps, if anything does."""
     single, in_time, own = found
-    limb = aimed.limb
-    sharp = on_limb(aim(replace(aimed.target, beta=BETA.minimum), limb), limb)
-    tried = {
-        "Move it towards Sharp.": sharp,
+    sharpest = aim(replace(aimed.target, beta=BETA.minimum), aimed.limb)
+    tried: dict[str, Way | OnLimb] = {
+        "Move it towards Sharp.": on_limb(sharpest, aimed.limb),
         "Move it towards Strong.": in_time,
         "The best input alone does better.": single,
     }
-    cure = next((cure for cure, other in tried.items() if not _is_louder(other)), "")
-    best = own if cure else min((own, *tried.values()), key=lambda each: each.loudest_db)
-    louder = f"{output_name(best.loudest, limb.name).name} is {best.loudest_db:.1f} dB louder"
+    cure = next((cure for cure, way in tried.items() if way.loudest_db < _LOUDER_DB), "")
+    best = own if cure else min((own, *tried.values()), key=lambda way: way.loudest_db)
+    louder = f"{output_name(best.loudest, aimed.limb.name).name} is {best.loudest_db:.1f} dB louder"
     if cure:
         return f"With this slider position, {louder}. {cure}"
     return f"Not reachable: {louder} at best."
@@ -470,15 +460,11 @@ def _louder(aimed: Aim, found: tuple[Way, Way, Way]) -> str:
 
 def _between(n_inputs: int, gain_db: float, *, judged: bool) -> str:
     """Return what inputs gain between the sensors; ``judged``: and whether one does as well."""
-    how, well = "as quiet as", "as well"
-    if gain_db > 0.0:
-        how, well = f"{gain_db:.1f} dB quieter than", "nearly as well"
-    if gain_db < 0.0:
-        how, well = f"{-gain_db:.1f} dB louder than", "better"
-    text = f"Between sensors {counted(n_inputs, 'input')} are {how} the best input"
-    return (
-        f"{text}: one actuator does {well}." if judged and gain_db < LEAST_GAIN_DB else f"{text}."
-    )
+    side = "quieter" if gain_db > 0.0 else "louder"
+    how = f"{abs(gain_db):.1f} dB {side} than" if gain_db else "as quiet as"
+    well = "nearly as well" if gain_db > 0.0 else "as well"
+    so = f": one actuator does {well}" if judged and gain_db < LEAST_GAIN_DB else ""
+    return f"Between sensors {counted(n_inputs, 'input')} are {how} the best input{so}."
 
 
 def _not_within(limit: str, most: float) -> str:

@@ -344,20 +344,13 @@ def _range(
     if plain.limb not in PUBLISHED:
         return (replace(plain, text="A range between people is known on published limbs alone."),)
     mean, half_db = levels_db.mean(axis=0), half_width_db(levels_db[:, _HAND])
-    ends = {
-        ("Low, expected", "Low"): mean - half_db,
-        (f"Mean {of_whom}", "Mean"): mean,
-        ("High, expected", "High"): mean + half_db,
-    }
-    scale = scale_of_levels(mean + half_db, style)
+    ends = {"Low": mean - half_db, "Mean": mean, "High": mean + half_db}
+    expected = {end: (f"{end}, expected", end) for end in ends}
+    expected["Mean"] = f"Mean {of_whom}", "Mean"
+    scale = scale_of_levels(ends["High"], style)
     return tuple(
-        replace(
-            plain,
-            headings=headings,
-            small=_map(base, values, noisy),
-            scale=scale,
-        )
-        for headings, values in ends.items()
+        replace(plain, headings=expected[end], small=_map(base, values, noisy), scale=scale)
+        for end, values in ends.items()
     )
 
 

@@ -39,13 +39,7 @@ from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.parts import PartFields
 from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.curves import fitting
-from skinsource_gui.plots.small_map import (
-    LEAST_MAP_PX,
-    Range,
-    map_grid,
-    paint_rings,
-    paint_small_map,
-)
+from skinsource_gui.plots.small_map import LEAST_MAP_PX, map_grid, paint_rings, paint_small_map
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
 from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
@@ -120,29 +114,32 @@ class WaysTable(RowTable):
 
 
 class PeopleMaps(QtWidgets.QWidget):
-    """A small map for each other limb, in one scale: what the drives of a target do there."""
+    """A small map for each other limb, in one scale: what the drives of a target do there.
+
+    Attributes
+    ----------
+    people
+        What is shown.
+    range_db
+        Levels of the lowest and the highest colour, dB re the strong outputs of each limb.
+    """
 
     def __init__(self) -> None:
         super().__init__()
         named(self, "target_people", "Same drives, other limbs")
-        self.people: tuple[Person, ...] = ()
-        self._strong: tuple[int, ...] = ()
+        self.show_people((), ())
         self.setMinimumSize(round(2.0 * LEAST_MAP_PX), round(LEAST_MAP_PX))
 
     def show_people(self, people: tuple[Person, ...], strong: tuple[int, ...]) -> None:
         """Show what drives do on limbs, and rings at the strong outputs."""
         self.people, self._strong = people, strong
+        self.range_db = _LOWEST_DB, max([0, *(ceil(each.loudest_db) for each in people)])
         low, high = self.range_db
         texts = [minus(f"Colours: {low:g} to {high:g} dB re the strong outputs of each")]
         texts += [f"{each.title}: loudest other {level_text(each.loudest_db)}" for each in people]
         self.setAccessibleDescription("; ".join(texts))
         self.setToolTip("\n".join(texts))
         self.update()
-
-    @property
-    def range_db(self) -> Range:
-        """Levels of the lowest and the highest colour, dB re the strong outputs of each limb."""
-        return _LOWEST_DB, ceil(max([0.0, *(each.loudest_db for each in self.people)]))
 
     def sizeHint(self) -> QSize:
         return QSize(280, 180)
@@ -165,8 +162,7 @@ class PeopleMaps(QtWidgets.QWidget):
 
 def head_text(person: Person, metrics: QtGui.QFontMetricsF, room_px: float) -> str:
     """Return title and level of a small map; where there is no room, its number and level."""
-    number = person.title.split()[-1]
-    title = fitting((person.title,), metrics, room_px) or number
+    title = fitting((person.title,), metrics, room_px) or person.title.split()[-1]
     return f"{title}\n{level_text(person.loudest_db)}"
 
 
@@ -257,8 +253,8 @@ class TargetPanel(FoundPanel):
         self.ways.show_ways(shown.ways, shown.design.limb)
         self.said.setText(minus(" ".join(shown.said)))
         set_tone(self.said, "warning" if found else "dim")
-        level, axes = "", self._target.axes
-        along = "" if axes == ALL_AXES else f" along {axes}"
+        level = ""
+        along = "" if self._target.axes == ALL_AXES else f" along {self._target.axes}"
         if shown.ways:
             amplitude = shown.ways[-1].amplitude
             level = f"Each way gives {amplitude:.3g} m/s²{along} at the strong outputs. "

@@ -26,7 +26,8 @@ from skinsource.design.signal_path import actuation_of_rig
 from skinsource.design.waveform import Waveform
 from skinsource.engine.prediction import predict
 from skinsource.engine.stimulus import stimulus_of
-from skinsource.inverse.focusing import Focus, time_reversal
+from skinsource.inverse.designing import Focus
+from skinsource.inverse.focusing import time_reversal
 from skinsource.lab.calibrating.calibration import AFTER_S, BEFORE_S, Calibration, samples_in
 from skinsource.lab.calibrating.station import Station
 from skinsource.lab.playing.devices import Output

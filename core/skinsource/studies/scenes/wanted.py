@@ -13,7 +13,7 @@ from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.targets import detach_target, solve_target
 from skinsource.design.waveforms.tones import Tone
-from skinsource.inverse.aiming import DEEPEST_DB, LEAST_GAIN_DB, Aim, aim_of, on_limb, ways
+from skinsource.inverse.aiming import DEEPEST_DB, Aim, aim_of, on_limb, ways
 from skinsource.inverse.reproducing import Reproduction, move, reproduce
 from skinsource.limbs.catalog import load_limb
 
@@ -37,10 +37,9 @@ def _tip_and_next(designs: tuple[Design, ...]) -> Wanted:
     one, every = (ways(aim)[-1] for aim in aims)
     text = (
         f"Digit III re the tip: {_deep(one.quiet_db)} with one input, {_deep(every.quiet_db)} with "
-        f"{len(aims[-1].places)}; between its sensors expect {_deep(every.between_db)}."
+        f"{len(aims[-1].places)}; between its sensors expect {_deep(one.between_db)} and "
+        f"{_deep(every.between_db)}."
     )
-    if one.between_db - every.between_db < LEAST_GAIN_DB:
-        text += " One input does nearly as well."
     return Wanted(designs=tuple(map(_solved, designs, aims)), sentence=text)
 
 
