@@ -43,14 +43,14 @@ class Person:
     ----------
     title
         Of the limb.
-    contrast_db
-        Level at the strong outputs over the loudest other one.
+    loudest_db
+        Level at the loudest output that is not strong.
     shown
-        Levels in dB re the strong outputs on the limb of the design.
+        Levels in dB re the strong outputs of this limb.
     """
 
     title: str
-    contrast_db: float
+    loudest_db: float
     shown: SmallMap
 
 
@@ -219,7 +219,7 @@ class Aiming(QObject):
             hand_only=True,
         )
         title = facts_of(name).title.partition(" (")[0]
-        return Person(title=title, contrast_db=there.contrast_db, shown=shown)
+        return Person(title=title, loudest_db=there.loudest_db, shown=shown)
 
     def _give_way(self) -> None:
         if self._worker.is_outdated("solve"):

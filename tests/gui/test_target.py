@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QFontMetricsF, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -19,7 +19,7 @@ from skinsource.design.target import is_unsolved, target_in
 from skinsource.design.waveforms import Layers, Tap, Tone
 from skinsource.inverse.aiming import aim_of
 from skinsource.inverse.focusing import Wish
-from skinsource_gui.panels.target.panel import level_text
+from skinsource_gui.panels.target.panel import head_text, level_text
 from tests.gui.timeline.bench import LanesBench
 
 START = Design(limb="synthetic-1", inputs=(track(7, Tone()),))
@@ -144,8 +144,9 @@ def test_the_table_says_what_three_ways_do(at_target):
     assert ways == ["Best input: 12", "Time reversal", "Target"]
     assert panel.ways.item(2, 1).text().endswith("II middle rad.")
     assert panel.ways.item(2, 6).text().endswith("of 40")
-    assert "One actuator does as well." in panel.said.text()
-    assert "1 other track plays as well; the rows leave it out." in panel.said.text()
+    assert not panel.ways.horizontalScrollBar().maximum()
+    assert "one actuator does nearly as well." in panel.said.text()
+    assert "The rows leave out 1 other track." in panel.said.text()
     document = window.document
     document.apply(edits.remove_inputs(document.design, document.view, document.design.ids[:1]))
     window.settle_target()
@@ -289,8 +290,18 @@ def test_levels_are_not_deeper_than_the_model_is_exact(level_db, text):
 def test_other_people_are_beside_it(at_target, preferences):
     window = at_target()
     stroke(window, 30)
-    others = [each.title for each in window.panel(TARGET).people.people]
-    assert others == ["Synthetic 2", "Synthetic 3", "Synthetic 4"]
+    panel = window.panel(TARGET)
+    first, *others = panel.people.people
+    assert [each.title for each in others] == ["Synthetic 3", "Synthetic 4"]
+    assert panel.people_head.text() == "Same drives, other limbs: loudest other along z"
+    levels = first.shown.levels_db[:42] - first.shown.levels_db[29]
+    assert first.loudest_db == np.delete(levels, 29).max()
+    loudest = replace(first, loudest_db=12.3)
+    panel.people.show_people((loudest, *others), (30,))
+    assert "Synthetic 2: loudest other +12.3 dB" in panel.people.toolTip()
+    assert panel.people.range_db == (-30.0, 13.0)
+    heads = [head_text(loudest, QFontMetricsF(panel.font()), room) for room in (200.0, 20.0)]
+    assert heads == ["Synthetic 2\n+12.3 dB", "2\n+12.3 dB"]
 
 
 def test_its_clips_lead_back_to_it(qtbot):

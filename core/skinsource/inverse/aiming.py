@@ -263,13 +263,14 @@ class OnLimb:
     Attributes
     ----------
     levels_db : (n_outputs,)
-        In dB re the strong outputs on the limb for which they were found.
-    contrast_db
-        Level at the strong outputs over the loudest other one, on this limb.
+        In dB re the strong outputs of this limb.
+    loudest_db, loudest
+        Level at the loudest output that is not strong, and which that is.
     """
 
     levels_db: Floats
-    contrast_db: float
+    loudest_db: float
+    loudest: int
 
 
 def ways(aim: Aim) -> tuple[Way, Way, Way]:
@@ -288,9 +289,9 @@ def ways(aim: Aim) -> tuple[Way, Way, Way]:
     )
 
 
-def _bright(aim: Aim, spectra: Complexes) -> float:
-    """Return the mean energy of the strong outputs."""
-    return float(_energy(aim.responses, spectra)[_rows(aim.target.strong)].mean())
+def _bright(aim: Aim, spectra: Complexes, there: Responses | None = None) -> float:
+    """Return the mean energy of the strong outputs, on another limb where its responses are."""
+    return float(_energy(there or aim.responses, spectra)[_rows(aim.target.strong)].mean())
 
 
 def _energy(responses: Responses, spectra: Complexes) -> Floats:
@@ -392,14 +393,15 @@ def on_limb(aim: Aim, limb: Limb) -> OnLimb:
         inputs=aim.places,
         frequencies_hz=aim.responses.frequencies_hz,
     )
-    levels_db = _levels_db(responses, aim.spectra, _bright(aim, aim.spectra))
-    loudest = levels_db[_loudest_other(aim, responses, levels_db) - 1]
-    contrast_db = _power_db(levels_db[_rows(aim.target.strong)]) - float(loudest)
-    return OnLimb(levels_db=levels_db, contrast_db=contrast_db)
+    levels_db = _levels_db(responses, aim.spectra, _bright(aim, aim.spectra, responses))
+    loudest = _loudest_other(aim, responses, levels_db)
+    return OnLimb(levels_db=levels_db, loudest_db=float(levels_db[loudest - 1]), loudest=loudest)
 
 
 #: Between sensors a target has to gain so much over the best single input, dB.
 LEAST_GAIN_DB = 3.0
+# Level re the strong outputs from which another one is louder: less is written as 0.0 dB.
+_LOUDER_DB = 0.05
 # Share of the amplitude that counts as all of it.
 _REACHED = 0.995
 #: Nothing is told to be deeper: responses are known to about 30 %.
@@ -425,26 +427,44 @@ def sentences(aim: Aim, found: tuple[Way, Way, Way], design: Design) -> tuple[st
         said.append(sentence(str(error)))
     else:
         if margin.factor < 1.0:
-            said.append(
-                _not_within(
-                    f"the actuator's limits ({margin.words})", margin.factor * own.amplitude
-                )
-            )
-    if own.loudest_db > 0.0 and not aim.target.quiet:
-        name = output_name(own.loudest, aim.limb.name).name
-        said.append(f"Not reachable: {name} is {own.loudest_db:.1f} dB louder at best.")
-    gain_db = single.between_db - own.between_db
-    if gain_db < LEAST_GAIN_DB and not limited:
-        said.append("One actuator does as well.")
-    how = "quieter" if gain_db > 0.0 else "louder"
-    said.append(f"Between sensors it is {abs(gain_db):.1f} dB {how} than the best input.")
+            limits = f"the actuator's limits ({margin.words})"
+            said.append(_not_within(limits, margin.factor * own.amplitude))
+    if own.loudest_db >= _LOUDER_DB and not aim.target.quiet:
+        said.append(_louder(aim, found))
+    if len(aim.places) > 1:
+        gain_db = round(single.between_db - own.between_db, 1)
+        said.append(_between(len(aim.places), gain_db, judged=not limited))
     if own.quiet_db < DEEPEST_DB:
         said.append(f"What is quiet is below {DEEPEST_DB:g} dB in the model.")
     if others := tracks_beside(design):
-        plays = "plays" if others == 1 else "play"
-        them = "it" if others == 1 else "them"
-        said.append(f"{counted(others, 'other track')} {plays} as well; the rows leave {them} out.")
+        said.append(f"The rows leave out {counted(others, 'other track')}.")
     return tuple(said)
+
+
+def _louder(aimed: Aim, found: tuple[Way, Way, Way]) -> str:
+    """Return that an output is louder than the strong ones, and what helps, if anything does."""
+    single, in_time, own = found
+    sharpest = aim(replace(aimed.target, beta=BETA.minimum), aimed.limb)
+    tried: dict[str, Way | OnLimb] = {
+        "Move it towards Sharp.": on_limb(sharpest, aimed.limb),
+        "Move it towards Strong.": in_time,
+        "The best input alone does better.": single,
+    }
+    cure = next((cure for cure, way in tried.items() if way.loudest_db < _LOUDER_DB), "")
+    best = own if cure else min((own, *tried.values()), key=lambda way: way.loudest_db)
+    louder = f"{output_name(best.loudest, aimed.limb.name).name} is {best.loudest_db:.1f} dB louder"
+    if cure:
+        return f"With this slider position, {louder}. {cure}"
+    return f"Not reachable: {louder} at best."
+
+
+def _between(n_inputs: int, gain_db: float, *, judged: bool) -> str:
+    """Return what inputs gain between the sensors; ``judged``: and whether one does as well."""
+    side = "quieter" if gain_db > 0.0 else "louder"
+    how = f"{abs(gain_db):.1f} dB {side} than" if gain_db else "as quiet as"
+    well = "nearly as well" if gain_db > 0.0 else "as well"
+    so = f": one actuator does {well}" if judged and gain_db < LEAST_GAIN_DB else ""
+    return f"Between sensors {counted(n_inputs, 'input')} are {how} the best input{so}."
 
 
 def _not_within(limit: str, most: float) -> str:

@@ -13,6 +13,7 @@ from skinsource.base.conventions import Axes, Floats
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import (
     MOST_SIDE_BY_SIDE,
+    RANGE_BETWEEN_PEOPLE,
     REGION_OUTPUTS,
     difference_db,
     frequency_of,
@@ -324,6 +325,13 @@ def of_spread(
     )
 
 
+def about_range(cells: Sequence[Cell]) -> str:
+    """Return what a range between people is, and its half width where it is drawn."""
+    values = [cell.values_db for cell in cells if cell.values_db is not None]
+    half = f"±{values[1][0] - values[0][0]:.1f} dB at every place. " if values else ""
+    return f"{half}{RANGE_BETWEEN_PEOPLE[0].upper()}{RANGE_BETWEEN_PEOPLE[1:]}"
+
+
 def _range(
     base: Compared,
     plain: Cell,
@@ -337,14 +345,11 @@ def _range(
         return (replace(plain, text="A range between people is known on published limbs alone."),)
     mean, half_db = levels_db.mean(axis=0), half_width_db(levels_db[:, _HAND])
     ends = {"Low": mean - half_db, "Mean": mean, "High": mean + half_db}
+    expected = {end: (f"{end}, expected", end) for end in ends}
+    expected["Mean"] = f"Mean {of_whom}", "Mean"
     scale = scale_of_levels(ends["High"], style)
     return tuple(
-        replace(
-            plain,
-            headings=(f"{end} {of_whom}", end),
-            small=_map(base, values, noisy),
-            scale=scale,
-        )
+        replace(plain, headings=expected[end], small=_map(base, values, noisy), scale=scale)
         for end, values in ends.items()
     )
 

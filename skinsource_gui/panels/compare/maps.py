@@ -6,9 +6,8 @@ from typing import Any, ClassVar
 from PySide6 import QtGui, QtWidgets
 
 from skinsource.design import edits
-from skinsource.design.comparing import RANGE_BETWEEN_PEOPLE
 from skinsource.design.design import Design, View
-from skinsource_gui.panels.compare.content import KINDS, Cell, CompareContent, Kind
+from skinsource_gui.panels.compare.content import KINDS, Cell, CompareContent, Kind, about_range
 from skinsource_gui.panels.compare.motion import Clock, MovingMaps
 from skinsource_gui.panels.compare.settings import RANGE, CompareSettings
 from skinsource_gui.panels.compare.view import MapsView
@@ -139,7 +138,7 @@ class MapsPanel(Panel):
             cells = tuple(cell.in_range(self.held) for cell in drawn)
         about = [kind.about(compared, design, view)]
         if kind.shown(self.settings) == RANGE:
-            about.insert(0, RANGE_BETWEEN_PEOPLE[0].upper() + RANGE_BETWEEN_PEOPLE[1:])
+            about.insert(0, about_range(cells))
         content = CompareContent(
             cells=cells,
             outputs=view.outputs,

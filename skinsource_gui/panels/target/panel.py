@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from functools import partial
-from math import isnan, log10
+from math import ceil, isnan, log10
 from typing import ClassVar
 
 from PySide6 import QtGui, QtWidgets
@@ -38,6 +38,7 @@ from skinsource_gui.fields.editors import new_editor
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.parts import PartFields
 from skinsource_gui.fields.units import minus
+from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.small_map import LEAST_MAP_PX, map_grid, paint_rings, paint_small_map
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
 from skinsource_gui.qt.labels import RowTable
@@ -51,8 +52,8 @@ _LIMIT_MM_S = 1e3 * LARGEST_VELOCITY_M_PER_S
 COLUMNS = columns_of("target", limit_mm_s=_LIMIT_MM_S)
 _STEPS_PER_DECADE = 10
 _EMPTY = "Take a brush, and paint a strong output on the skin map"
-#: Levels of the lowest and the highest colour of the small maps, dB re the strong outputs.
-_RANGE_DB = (-30.0, 0.0)
+#: Level of the lowest colour of the small maps, dB re the strong outputs.
+_LOWEST_DB = -30.0
 
 
 _SPEC = ModelSpec(label="Target", kinds=lambda: (Target,))
@@ -95,7 +96,6 @@ class WaysTable(RowTable):
         policy = QtWidgets.QSizePolicy.Policy
         self.setSizePolicy(policy.Expanding, policy.Fixed)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
     def show_ways(self, ways: tuple[Way, ...], limb: str) -> None:
@@ -108,26 +108,35 @@ class WaysTable(RowTable):
 
     def sizeHint(self) -> QSize:
         rows = 3 * self.verticalHeader().defaultSectionSize()
-        height = self.horizontalHeader().sizeHint().height() + rows + 2 * self.frameWidth()
-        return QSize(super().sizeHint().width(), height)
+        rows += self.horizontalHeader().sizeHint().height() + 2 * self.frameWidth()
+        below = self.horizontalScrollBar().sizeHint().height()
+        return QSize(super().sizeHint().width(), rows + below)
 
 
 class PeopleMaps(QtWidgets.QWidget):
-    """A small map for each other limb, in one scale: what the drives of a target do there."""
+    """A small map for each other limb, in one scale: what the drives of a target do there.
+
+    Attributes
+    ----------
+    people
+        What is shown.
+    range_db
+        Levels of the lowest and the highest colour, dB re the strong outputs of each limb.
+    """
 
     def __init__(self) -> None:
         super().__init__()
         named(self, "target_people", "Same drives, other limbs")
-        self.people: tuple[Person, ...] = ()
-        self._strong: tuple[int, ...] = ()
+        self.show_people((), ())
         self.setMinimumSize(round(2.0 * LEAST_MAP_PX), round(LEAST_MAP_PX))
 
     def show_people(self, people: tuple[Person, ...], strong: tuple[int, ...]) -> None:
         """Show what drives do on limbs, and rings at the strong outputs."""
         self.people, self._strong = people, strong
-        low, high = _RANGE_DB
-        texts = [minus(f"Colours: {low:g} to {high:g} dB re the strong outputs")]
-        texts += [f"{each.title}: {_contrast(each)} over the loudest other" for each in people]
+        self.range_db = _LOWEST_DB, max([0, *(ceil(each.loudest_db) for each in people)])
+        low, high = self.range_db
+        texts = [minus(f"Colours: {low:g} to {high:g} dB re the strong outputs of each")]
+        texts += [f"{each.title}: loudest other {level_text(each.loudest_db)}" for each in people]
         self.setAccessibleDescription("; ".join(texts))
         self.setToolTip("\n".join(texts))
         self.update()
@@ -137,22 +146,24 @@ class PeopleMaps(QtWidgets.QWidget):
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter, theme = QtGui.QPainter(self), current_theme()
-        line = painter.fontMetrics().height()
+        metrics = QtGui.QFontMetricsF(painter.font())
+        line = metrics.height()
         cells = map_grid(QRectF(self.rect()), len(self.people), 2.0 * line)
         for cell, each in zip(cells, self.people, strict=True):
             area = cell.adjusted(4.0, 2.0 * line, -4.0, -2.0)
-            paint_small_map(painter, area, each.shown, None, theme, _RANGE_DB)
+            paint_small_map(painter, area, each.shown, None, theme, self.range_db)
             paint_rings(painter, each.shown, area, self._strong, theme)
             painter.setPen(QtGui.QColor(theme.text))
             head = QRectF(cell.left(), cell.top(), cell.width(), 2.0 * line)
-            text = f"{each.title}\n{_contrast(each)}"
+            text = head_text(each, metrics, cell.width() - line)
             painter.drawText(head, Qt.AlignmentFlag.AlignCenter, text)
         painter.end()
 
 
-def _contrast(person: Person) -> str:
-    """Return by how much the strong outputs are louder than the loudest other one."""
-    return minus(f"{person.contrast_db:+z.1f} dB")
+def head_text(person: Person, metrics: QtGui.QFontMetricsF, room_px: float) -> str:
+    """Return title and level of a small map; where there is no room, its number and level."""
+    title = fitting((person.title,), metrics, room_px) or person.title.split()[-1]
+    return f"{title}\n{level_text(person.loudest_db)}"
 
 
 class TargetPanel(FoundPanel):
@@ -204,6 +215,7 @@ class TargetPanel(FoundPanel):
         self.fields = PartFields(_SPEC, new_editor, self)
         self.fields.edited.connect(self._change)
         self.grid, self.ways, self.people = FieldGrid(), WaysTable(), PeopleMaps()
+        self.people_head = page_label("target_people_head", tone="dim")
         self.said = page_label("target_said")
         self.about = page_label("target_about", tone="dim")
         self.about.setToolTip(tooltip(Target.law, Target.source))
@@ -242,13 +254,14 @@ class TargetPanel(FoundPanel):
         self.said.setText(minus(" ".join(shown.said)))
         set_tone(self.said, "warning" if found else "dim")
         level = ""
+        along = "" if self._target.axes == ALL_AXES else f" along {self._target.axes}"
         if shown.ways:
-            along = "" if self._target.axes == ALL_AXES else f" along {self._target.axes}"
             amplitude = shown.ways[-1].amplitude
             level = f"Each way gives {amplitude:.3g} m/s²{along} at the strong outputs. "
         self.about.setText(level + Target.limits)
         self.people.show_people(shown.people, self._target.strong)
-        for part in (self.ways, self.people):
+        self.people_head.setText(f"Same drives, other limbs: loudest other{along}")
+        for part in (self.ways, self.people_head, self.people):
             part.setVisible(bool(shown.ways))
 
     def _clip(self) -> Clip | None:
@@ -284,13 +297,15 @@ class TargetPanel(FoundPanel):
             set_tone(label, "dim")
         strong, sharp = ends
         slider = in_row(strong, (self.sharpness, 1), sharp, gap_px=UNIT_PX // 2)
-        brushes = in_row(*self.brushes.values(), None, self.use_clip, self.where, self.detach)
+        brushes = in_row(*self.brushes.values(), None)
+        actions = in_row(self.use_clip, self.where, self.detach, None)
         inside = QtWidgets.QWidget()
-        in_column(self.grid, None, of=inside, margins=(0, 0, UNIT_PX, 0))
+        in_column(actions, self.grid, None, of=inside, margins=(0, 0, UNIT_PX, 0))
         left = in_column(brushes, slider, (scrolled(inside, "target_fields"), 1))
         words = QtWidgets.QWidget()
         in_column(self.said, self.about, None, of=words, margins=(0, 0, UNIT_PX, 0))
-        below = in_row((scrolled(words, "target_words"), 1), (self.people, 1))
+        people = in_column(self.people_head, (self.people, 1))
+        below = in_row((scrolled(words, "target_words"), 1), (people, 1))
         right = in_column(self.ways, (below, 1))
         edges = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
         in_row((left, 3), (right, 6), of=self, margins=edges, gap_px=UNIT_PX)

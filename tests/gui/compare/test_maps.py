@@ -149,8 +149,9 @@ def test_differences_and_mean_and_spread_are_those_of_the_levels(window, panel, 
     found = people.levels(window.document.design, window.document.view, limbs=LIMBS)
     for cell, values in zip(cells, (found.low_db, found.mean_db, found.high_db), strict=True):
         assert cell.values_db == pytest.approx(values, abs=1e-9)
-    assert [cell.heading for cell in cells] == ["Low of 4", "Mean of 4", "High of 4"]
-    assert panel.maps.content.about.startswith("Range between people: predicted from three")
+    assert [cell.heading for cell in cells] == ["Low, expected", "Mean of 4", "High, expected"]
+    said = f"±{found.high_db[0] - found.mean_db[0]:.1f} dB at every place. Range between people: "
+    assert panel.maps.content.about.startswith(said)
     choose(window, limbs="synthetic-3 synthetic-1", shown="difference")
     [only] = shown(panel, qtbot, 1)
     # The limb in the window is what the others are compared with, wherever it stands.

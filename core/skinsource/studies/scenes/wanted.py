@@ -13,7 +13,7 @@ from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.targets import detach_target, solve_target
 from skinsource.design.waveforms.tones import Tone
-from skinsource.inverse.aiming import DEEPEST_DB, LEAST_GAIN_DB, Aim, aim_of, on_limb, ways
+from skinsource.inverse.aiming import DEEPEST_DB, Aim, aim_of, on_limb, ways
 from skinsource.inverse.reproducing import Reproduction, move, reproduce
 from skinsource.limbs.catalog import load_limb
 
@@ -37,10 +37,9 @@ def _tip_and_next(designs: tuple[Design, ...]) -> Wanted:
     one, every = (ways(aim)[-1] for aim in aims)
     text = (
         f"Digit III re the tip: {_deep(one.quiet_db)} with one input, {_deep(every.quiet_db)} with "
-        f"{len(aims[-1].places)}; between its sensors expect {_deep(every.between_db)}."
+        f"{len(aims[-1].places)}; between its sensors expect {_deep(one.between_db)} and "
+        f"{_deep(every.between_db)}."
     )
-    if one.between_db - every.between_db < LEAST_GAIN_DB:
-        text += " One input does as well."
     return Wanted(designs=tuple(map(_solved, designs, aims)), sentence=text)
 
 
@@ -84,12 +83,12 @@ def _drives_and_layouts(designs: tuple[Design, ...]) -> Wanted:
     aims = [aim_of(first), aim_of(own)]
     kind = first.limb.partition("-")[0]
     others = [load_limb(f"{kind}-{k}") for k in (2, 3, 4)]
-    theirs = [on_limb(aims[0], limb).contrast_db for limb in others]
+    theirs = [on_limb(aims[0], limb).loudest_db for limb in others]
     each_own = [aim_of(replace(own, limb=limb.name)) for limb in others]
-    at_home, *of_their_own = (on_limb(aim, aim.limb).contrast_db for aim in (aims[0], *each_own))
+    at_home, *of_their_own = (on_limb(aim, aim.limb).loudest_db for aim in (aims[0], *each_own))
     text = (
-        f"The place lies over the loudest other output by {_db(at_home)} on limb 1; on limbs 2, 3 "
-        f"and 4 by {_listed(theirs)} with the drives of limb 1, and by {_listed(of_their_own)} "
+        f"Re this place, the loudest other output is at {_db(at_home)} on limb 1; on limbs 2, 3 "
+        f"and 4 at {_listed(theirs)} with the drives of limb 1, and at {_listed(of_their_own)} "
         "with their own from the same inputs."
     )
     solved = _solved(first, aims[0])
