@@ -29,7 +29,7 @@ from skinsource_gui.panels.timeline.clipboard import (
 from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.keys import KEYS, SHORTCUTS, key_text
 from skinsource_gui.qt.resources import read_text
-from skinsource_gui.state.job_runner import selected_train
+from skinsource_gui.state.job_runner import selected_trains
 
 #: Whether something can be done, or is on, now.
 Condition = Callable[[Design, View], bool]
@@ -236,7 +236,7 @@ ENABLED: dict[str, Condition] = {
     **_when(lambda _, view: bool(view.selected_clips), *OF_CLIPS),
     **_when(lambda _, view: len(view.selected_clips) > 1, "join_clips", "group_clips"),
     "ungroup_clips": lambda design, view: any(map(is_plain_sum, _clips(design, view))),
-    "equalise_on_skin": lambda design, view: selected_train(design, view) is not None,
+    "equalise_on_skin": lambda design, view: bool(selected_trains(design, view)),
     "match_tracks": lambda design, view: len(set(view.selected_inputs) & set(design.ids)) > 1,
 }
 #: By name of a switch, whether it is on now.

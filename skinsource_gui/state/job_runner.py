@@ -304,16 +304,29 @@ class Levelling(QObject):
         self._document, self._runner = document, runner
 
     def equalise(self) -> None:
-        """Predict each wavelet of the selected train alone, then edit their gains."""
+        """Predict each wavelet of the selected trains alone, then edit their gains."""
         design = self._document.design
-        clip = selected_train(design, self._document.view)
-        if clip is None:
-            return
-        id = clip.id
+        ids = [clip.id for clip in selected_trains(design, self._document.view)]
+
+        def predict(**job: Any) -> list[tuple[float, ...]]:
+            return [wavelet_levels_db(design, id, **job) for id in ids]
+
+        def edit(of: Design, view: View, levels: list[tuple[float, ...]]) -> Edit | Refusal:
+            done = Edit(label="", design=of, view=view)
+            for id, levels_db in zip(ids, levels, strict=True):
+                outcome = edits.equalise_on_skin(done.design, done.view, id, levels_db, MEASURE)
+                if isinstance(outcome, Refusal):
+                    return outcome
+                done = outcome
+            if len(ids) == 1:
+                return done
+            said = f"Balanced {len(ids)} clips by the {MEASURE}, on {of.limb}"
+            return replace(done, label=f"Balance wavelets of {len(ids)} clips", said=said)
+
         self._run(
-            Job("Balancing wavelets", partial(wavelet_levels_db, design, id), quick=True),
-            sources=lambda of: _level_sources(of, id),
-            edit=lambda of, view, levels: edits.equalise_on_skin(of, view, id, levels, MEASURE),
+            Job("Balancing wavelets", predict, quick=True),
+            sources=lambda of: [_level_sources(of, id) for id in ids],
+            edit=edit,
         )
 
     def match_tracks(self) -> None:
@@ -346,10 +359,10 @@ class Levelling(QObject):
         self._runner.add(job, done=apply, failed=lambda error: self.failed.emit(str(error)))
 
 
-def selected_train(design: Design, view: View) -> Clip | None:
-    """Return the selected clip, if it plays a wavelet train."""
-    clip = None if view.selected_clip is None else design.clip(view.selected_clip)
-    return clip if clip is not None and isinstance(clip.waveform, WaveletTrain) else None
+def selected_trains(design: Design, view: View) -> list[Clip]:
+    """Return the selected clips that play a wavelet train."""
+    chosen = [clip for clip in design.clips if clip.id in view.selected_clips]
+    return [clip for clip in chosen if isinstance(clip.waveform, WaveletTrain)]
 
 
 def _level_sources(design: Design, clip_id: int) -> object:

@@ -17,8 +17,8 @@ def trained(window):
     return window
 
 
-def gains(window):
-    return window.document.design.clip(1).waveform.gains_db
+def gains(window, id=1):
+    return window.document.design.clip(id).waveform.gains_db
 
 
 def test_it_is_one_step_that_can_be_taken_back(qtbot, trained):
@@ -31,6 +31,15 @@ def test_it_is_one_step_that_can_be_taken_back(qtbot, trained):
     assert trained.document.design.clip(1).label == ""
     trained.do("undo")
     assert gains(trained) == ()
+
+
+def test_all_selected_trains_are_balanced_in_one_step(qtbot, trained):
+    both = trained.document.design.adding(track(9, TRAIN))
+    trained.document.start_over(both, View(selected_inputs=(1, 3), selected_clips=(3, 1)), None)
+    trained.do("equalise_on_skin")
+    qtbot.waitUntil(lambda: trained.document.undo_stack.count() == 1)
+    assert all(both.clip(id).waveform.gains_db == () != gains(trained, id) for id in (1, 3))
+    assert trained.document.undo_stack.undoText() == "Balance wavelets of 2 clips"
 
 
 @pytest.mark.parametrize("meanwhile", [False, True])
