@@ -188,11 +188,12 @@ def _show_pictures(menu: QtWidgets.QMenu) -> None:
 class KindField(ChoiceField):
     """A drop-down field of the kinds of waveforms, whose list is their menu.
 
-    Arrow keys choose among all kinds; letters do so in the open list.
+    A click leaves the keyboard where it is: keys go on to act on the clip.
     """
 
     def __init__(self, spec: ChoiceSpec, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(spec, parent)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._menu: QtWidgets.QMenu | None = None
         self.setIconSize(PICTURE_PX)
         self.currentIndexChanged.connect(self._picture)
@@ -212,13 +213,6 @@ class KindField(ChoiceField):
         if self._menu is not None:
             self._menu.close()
         super().hidePopup()
-
-    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
-        # After a click that closed the list, a letter is meant for what was clicked.
-        if event.text().isalnum():
-            event.ignore()
-        else:
-            super().keyPressEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -6,6 +6,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import DesignFileError
+from skinsource.design.design import Snapshot
 from skinsource.design.panel_settings import stage_settings
 
 
@@ -45,6 +46,16 @@ def test_designs_that_are_compared_keep_what_tells_them_apart(title):
     assert design in [each.design for each in view.snapshots]
     assert design.title == titles[0]
     assert design.notes.endswith("Mine.")
+
+
+def test_a_title_of_the_entry_is_that_of_all_that_are_compared_where_all_had_one():
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
+    stored = tuple(
+        Snapshot(number=k, design=replace(design, scaling=how))
+        for k, how in enumerate(("probe", "relative"), 1)
+    )
+    entry = ss.ShowEntry.of(stored[1].design, ss.View(snapshots=stored), "Two tips")
+    assert [each.design.title for each in entry.presented[1].snapshots] == ["Two tips"] * 2
 
 
 def test_samples_of_recordings_are_kept(tmp_path):

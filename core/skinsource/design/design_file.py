@@ -232,6 +232,8 @@ class ShowEntry(fields.CheckedModel):
             # Designs that are compared are told apart by the ends of their titles.
             end = other.title.removeprefix(common + dot)
             words = f"{title.removesuffix(own)}{end}" if dot else end
+            # What has the title of all keeps it: it tells none of them apart.
+            words = title if end == self.design.title else words
             return replace(other, title=words[: TITLE.longest])
 
         snapshots = (replace(each, design=told(each.design)) for each in view.snapshots)
