@@ -38,7 +38,7 @@ _PANEL = "calibration"
 #: What a focus plays, and its level at the sensor, m/s².
 WAVEFORM, LEVEL = Tone(frequency_hz=100.0, duration_s=0.2), 0.3
 _FILES = "Partial limbs (*.h5);;All files (*)"
-_STOPPED = "Stopped. Nothing was stored."
+_STOPPED = "Stopped. Nothing new was stored."
 
 
 class Calibrating(QObject):
@@ -72,7 +72,7 @@ class Calibrating(QObject):
         # A `Station`, once something is measured; only that of a stand-in person can be moved.
         self._station: Any = None
         self._job: Job[Any] | None = None
-        # Whether what was measured is in no file.
+        # Whether what a rig measured is in no file; the stand-in person can always be asked again.
         self._unsaved = False
         self.make_stand_in: Callable[[int], StandIn] = lambda output: lab.calibrating.StandIn(
             output=output
@@ -120,13 +120,14 @@ class Calibrating(QObject):
         if self._panel is not None:
             title = self._player.settings.rig_title
             stands_in = not title or self._preferences.stand_in
-            if (title, stands_in) != (self.state.rig_title, self.state.stand_in):
+            is_new = (title, stands_in) != (self.state.rig_title, self.state.stand_in)
+            if is_new and self.may_lose():
                 self.state = replace(self.state, rig_title=title)
                 self._choose_station(stands_in)
 
     def _choose_station(self, stands_in: bool) -> None:
         """Begin anew with the stand-in person, or with the rig."""
-        self._preferences.stand_in = stands_in
+        self._preferences.stand_in, self._unsaved = stands_in, False
         known = tomllib.loads(read_text("calibration.toml"))["STAND_IN"]
         texts = known if stands_in else dict.fromkeys(known, "")
         self._put(
@@ -148,7 +149,9 @@ class Calibrating(QObject):
     def _edit(self, name: str, value: Any) -> None:
         state = self.state
         if name == "station":
-            self._choose_station(value == "stand_in")
+            if self.may_lose():
+                self._choose_station(value == "stand_in")
+            self._put()
         elif name == "output":
             self._document.look(replace(self._document.view, outputs=(int(value),)))
             self._put(sitting=replace(state.sitting, output=int(value)))
@@ -197,43 +200,37 @@ class Calibrating(QObject):
             others = (row for row in self.state.rows if row.place != measured.place)
             self._put(rows=(*others, measured))
 
-    @property
-    def _others(self) -> tuple[str, ...] | None:
-        """Limbs of the other people; None: all measured ones."""
-        return getattr(self._station, "others", None)
-
     def _start(self) -> None:
-        """Measure all inputs."""
+        """Measure all inputs; what was measured before stays until that is done."""
         if not self.may_lose():
             return
         state, settings = self.state, self._player.settings
         if state.stand_in:
-            self._station = self.make_stand_in(state.sitting.output)
-            like = self._station.like
+            station: Any = self.make_stand_in(state.sitting.output)
+            like = station.like
         elif settings.rig_is_read() and settings.rig is not None:
             setup = replace(state.setup, input_device="", loopback_input=0)
-            self._station = lab.calibrating.CardStation(
+            station = lab.calibrating.CardStation(
                 rig=settings.rig, setup=setup, output=settings.output
             )
             like = lab.calibrating.Sitting().like
         else:
             return
-        places = tuple(channel.place for channel in self._station.rig.channels)
+        places = tuple(channel.place for channel in station.rig.channels)
         sitting = replace(state.sitting, like=like)
-        self._put(sitting=sitting, places=places, step=SWEEPS, found=None, rows=())
-        self._measure(None)
+        self._put(sitting=sitting, places=places, step=SWEEPS, rows=())
+        self._measure(station, None)
 
     def _repeat(self) -> None:
         """Measure again what was not accepted."""
         found = self.state.found
         kept = () if found is None or found.moved else found.rows
         self._put(rows=tuple(row for row in kept if not row.failures))
-        self._measure(found)
+        self._measure(self._station, found)
 
-    def _measure(self, before: "Calibration | None") -> None:
-        sitting, station, others = self.state.sitting, self._station, self._others
-        # Mounted anew, nothing is verified.
-        self._put(verification=None)
+    def _measure(self, station: Any, before: "Calibration | None") -> None:
+        # Limbs of the other people; None: all measured ones.
+        sitting, others = self.state.sitting, getattr(station, "others", None)
 
         def work(progress: Progress, stop: Stop) -> "tuple[Calibration, int]":
             found = lab.calibrating.calibrate(
@@ -250,10 +247,10 @@ class Calibrating(QObject):
                 output = people.likeliest_place(found.partial, output)
             return found, output
 
-        self._run("Calibrating a person", work, self._take_measured)
+        self._run("Calibrating a person", work, partial(self._take_measured, station))
 
-    def _take_measured(self, measured: "tuple[Calibration, int]") -> None:
-        found, likeliest = measured
+    def _take_measured(self, station: Any, measured: "tuple[Calibration, int]") -> None:
+        self._station, (found, likeliest) = station, measured
         said = f"All {len(found.rows)} inputs are accepted. Focus here makes a design of them."
         if found.moved:
             said = f"{found.moved} Check the sensor, then press Repeat failed."
@@ -267,7 +264,8 @@ class Calibrating(QObject):
             name = output_name(likeliest, found.sitting.like).name
             said = f"It looks more like output {likeliest}, {name}. Check where the sensor lies."
         warns = not found.accepted or likeliest != found.sitting.output
-        self._put(found=found, rows=found.rows, said=said, warns=warns)
+        # Mounted anew, nothing is verified.
+        self._put(found=found, rows=found.rows, verification=None, said=said, warns=warns)
         self._unsaved = self.state.has_partial and not self.state.stand_in
 
     def _save(self) -> bool:
@@ -295,7 +293,7 @@ class Calibrating(QObject):
 
     def _focus(self) -> None:
         """Make the design that is strong at the sensor and quiet elsewhere."""
-        found, others = self._found, self._others
+        found, others = self._found, getattr(self._station, "others", None)
 
         def work(progress: Progress, stop: Stop) -> "tuple[Design, Verification]":
             progress(0, 2, "Drives of the focus")

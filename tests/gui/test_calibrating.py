@@ -5,7 +5,7 @@ import threading
 from dataclasses import replace
 
 import pytest
-from PySide6.QtWidgets import QFileDialog, QToolButton
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QToolButton
 
 import skinsource as ss
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
@@ -162,6 +162,34 @@ def test_stop_answers_while_sweeps_are_played(bench, qtbot):
     bench.press("stop")
     assert bench.panel.message.text().startswith("Stopped.")
     assert bench.panel.buttons["start"].isEnabled()
+
+
+def test_what_was_measured_stays_until_the_new_measurement_is_complete(bench, qtbot):
+    bench.press("start")
+    bench.press("focus")
+    before = bench.state
+    bench.calibrating.make_stand_in = lambda output: Endless(output=output, inputs=INPUTS)
+    bench.press("start", wait=False)
+    assert bench.results() == [""] * 3
+    bench.press("stop")
+    assert (bench.state.found, bench.state.rows) == (before.found, before.rows)
+    assert bench.panel.verdict.text() == "Not verified."
+    # It is verified on the station where it was measured.
+    bench.press("verify")
+    assert bench.panel.verdict.text().startswith("Verified: ")
+
+
+def test_what_a_rig_measured_is_not_lost_by_another_station_without_a_question(bench, answers):
+    bench.press("start")
+    bench.calibrating._put(stand_in=False, rig_title="Bench")
+    bench.calibrating._unsaved, station = True, bench.panel.cells["station"].field
+    station.choose("stand_in")
+    assert answers["asked"] == ["What was measured is in no file. Save it?"]
+    assert (station.value, bench.state.found is None) == ("rig", False)
+    answers["question"] = QMessageBox.StandardButton.Discard
+    station.choose("stand_in")
+    assert (bench.state.found, bench.calibrating.may_lose()) == (None, True)
+    assert len(answers["asked"]) == 2
 
 
 def test_a_rig_plays_only_when_all_is_ticked_and_armed_and_its_channels_are_known(

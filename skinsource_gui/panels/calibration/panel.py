@@ -142,6 +142,7 @@ class CalibrationPanel(Panel):
         for name, cell in self.cells.items():
             if name not in ("station", "output", _SPEED):
                 cell.set_value(getattr(state.setup if name in _OF_SENSOR else state.sitting, name))
+        self.cells["station"].set_value("stand_in" if state.stand_in else "rig")
         self.cells["output"].set_value(str(state.sitting.output))
         self.cells[_SPEED].set_value(1e3 * state.sitting.speed_m_per_s)
         self.sweeps.fill(sweep_rows(state), max(self.sweeps.currentRow(), 0))
@@ -175,7 +176,6 @@ class CalibrationPanel(Panel):
         titles = [STATION.options[0], ("rig", state.rig_title)]
         field: Any = self.cells["station"].field
         field.set_options(titles if state.rig_title else titles[:1])
-        self.cells["station"].set_value("stand_in" if state.stand_in else "rig")
         shown = [cell for name, cell in self.cells.items() if name not in _OF_SENSOR]
         if not state.stand_in:
             shown += [self.cells[name] for name in _OF_SENSOR]
