@@ -1,8 +1,10 @@
 """Calibrating a person in the window: sweeps, focus and verification, as jobs."""
 
+import re
 import tomllib
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import datetime
 from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -12,6 +14,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from skinsource import lab, people
 from skinsource.base.errors import SkinSourceError, counted, sentence
+from skinsource.base.files import path_text
 from skinsource.base.job import Job, Progress, Stop
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
@@ -271,7 +274,7 @@ class Calibrating(QObject):
     def _save(self) -> bool:
         """Ask for a file and write the partial limb; return whether that was done."""
         found = self._found
-        start = self._preferences.folder / f"{found.sitting.person}-{found.sitting.output}.h5"
+        start = self._preferences.folder / f"{self._file_name}.h5"
         name, _ = QtWidgets.QFileDialog.getSaveFileName(
             self._window, "Save the partial limb", str(start), _FILES
         )
@@ -285,6 +288,13 @@ class Calibrating(QObject):
     def _found(self) -> "Calibration":
         """What was measured; buttons that need it are off until then."""
         return cast("Calibration", self.state.found)
+
+    @property
+    def _file_name(self) -> str:
+        """Names person and output in letters that any file system takes."""
+        sitting = self._found.sitting
+        person = re.sub(r"[^\w.-]", "_", sitting.person)
+        return f"{person}-{sitting.output}"
 
     @property
     def _begun(self) -> "Verification":
@@ -350,11 +360,12 @@ class Calibrating(QObject):
         self._put(verification=verified, said=said, warns=False)
 
     def _report(self) -> None:
-        """Ask for a folder, and write the report into it."""
+        """Ask for a folder, and write the report into a new one there."""
         name = QtWidgets.QFileDialog.getExistingDirectory(
             self._window, "Folder of the report", str(self._preferences.folder)
         )
         if name:
-            lab.calibrating.save_report(Path(name), self._begun)
+            folder = Path(name) / f"{self._file_name}-{datetime.now():%Y-%m-%d-%H%M%S}"
+            lab.calibrating.save_report(folder, self._begun)
             self._preferences.folder, self._unsaved = Path(name), False
-            self._put(said=f"Wrote the report into {Path(name).name}.", warns=False)
+            self._put(said=f"Wrote the report into {path_text(folder)}.", warns=False)

@@ -99,7 +99,9 @@ def test_the_stand_in_person_is_calibrated_focused_on_and_verified(
     assert (saved.person, saved.outputs, saved.inputs) == ("stand-in", (52,), INPUTS)
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
     bench.press("report")
-    assert json.loads((tmp_path / "report.json").read_text("utf-8"))["state"] == "verified"
+    (report,) = tmp_path.glob("stand-in-52-*/report.json")
+    assert json.loads(report.read_text("utf-8"))["state"] == "verified"
+    assert panel.message.text() == f"Wrote the report into {report.parent}."
     # What is mounted anew is not verified.
     bench.press("start")
     assert panel.verdict.text() == "Nothing is measured yet."
