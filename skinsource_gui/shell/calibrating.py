@@ -155,6 +155,8 @@ class Calibrating(QObject):
             if self.may_lose():
                 self._choose_station(value == "stand_in")
             self._put()
+        elif name == "step":
+            self._put(step=value)
         elif name == "output":
             self._document.look(replace(self._document.view, outputs=(int(value),)))
             self._put(sitting=replace(state.sitting, output=int(value)))

@@ -166,6 +166,13 @@ def test_stop_answers_while_sweeps_are_played(bench, qtbot):
     assert bench.panel.buttons["start"].isEnabled()
 
 
+def test_start_and_focus_here_always_go_on_to_the_next_page(bench):
+    for button, from_page, to_page in [("start", MOUNTING, SWEEPS), ("focus", SWEEPS, FOCUS)] * 2:
+        bench.panel.steps[from_page].click()
+        bench.press(button)
+        assert [step.isChecked() for step in bench.panel.steps.values()].index(True) == to_page
+
+
 def test_what_was_measured_stays_until_the_new_measurement_is_complete(bench, qtbot):
     bench.press("start")
     bench.press("focus")

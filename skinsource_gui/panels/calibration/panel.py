@@ -112,7 +112,7 @@ class CalibrationPanel(Panel):
         for name, button in self.buttons.items():
             button.clicked.connect(partial(self.asked.emit, name))
         for number, step in self.steps.items():
-            step.clicked.connect(partial(self._go, number))
+            step.clicked.connect(partial(self.field_edited.emit, "step", number))
         for box in (*self.checks.values(), self.arm):
             box.toggled.connect(self._enable)
         self.arm.toggled.connect(self._follow_arm)
@@ -129,7 +129,7 @@ class CalibrationPanel(Panel):
         return "" if state is None or state.stand_in or self.arm.isChecked() else _ARM
 
     def show_calibration(self, state: CalibrationState) -> None:
-        """Show what is known, and go to its step where that is another one."""
+        """Show what is known, and the page of its step."""
         before, self._state = self._state, state
         station = state.stand_in, state.rig_title
         if before is None or (before.stand_in, before.rig_title) != station:
@@ -159,8 +159,7 @@ class CalibrationPanel(Panel):
             self.bar.setRange(0, 0)
         self.bar.setVisible(state.running)
         self._enable()
-        if before is None or before.step != state.step:
-            self._go(state.step)
+        self._go(state.step)
 
     def show_progress(self, done: int, total: int, text: str) -> None:
         """Show how far sweeps or playing are."""
