@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from skinsource import lab, people
 from skinsource.base.errors import SkinSourceError, counted, sentence
 from skinsource.base.files import path_text
-from skinsource.base.job import Job, Progress, Stop
+from skinsource.base.job import Job, Progress, Stop, stop_if
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import choose_rig
@@ -171,6 +171,7 @@ class Calibrating(QObject):
         if name == "stop":
             if self._job is not None:
                 self._runner.cancel(self._job)
+                self._put(said="Stopping…")
             return
         try:
             getattr(self, f"_{name}")()
@@ -308,12 +309,17 @@ class Calibrating(QObject):
         found, others = self._found, getattr(self._station, "others", None)
 
         def work(progress: Progress, stop: Stop) -> "tuple[Design, Verification]":
-            progress(0, 2, "Drives of the focus")
             focus = people.focus(found.partial, found.sitting.output, others=others)
-            progress(1, 2, "Its levels on other people")
             begun = lab.calibrating.begin_verifying(
-                found, focus, WAVEFORM, level=LEVEL, others=others
+                found,
+                focus,
+                WAVEFORM,
+                level=LEVEL,
+                others=others,
+                progress=progress,
+                stop=stop,
             )
+            stop_if(stop)
             return focus.design(WAVEFORM, level=LEVEL), begun
 
         self._run("Focusing", work, self._take_focus)

@@ -44,7 +44,10 @@ def bench(window, qtbot):
             assert self.panel.buttons[name].isEnabled(), self.state.said
             self.panel.buttons[name].click()
             if wait:
-                qtbot.waitUntil(lambda: not self.state.running, **WAIT)
+                self.wait()
+
+        def wait(self):
+            qtbot.waitUntil(lambda: not self.state.running, **WAIT)
 
         def results(self):
             return [self.panel.sweeps.item(row, 1).text() for row in range(len(INPUTS))]
@@ -164,6 +167,17 @@ def test_stop_answers_while_sweeps_are_played(bench, qtbot):
     bench.press("stop")
     assert bench.panel.message.text().startswith("Stopped.")
     assert bench.panel.buttons["start"].isEnabled()
+
+
+def test_stop_answers_during_focus_here_and_the_design_stays(bench, window):
+    bench.press("start")
+    before = window.document.design
+    bench.press("focus", wait=False)
+    bench.panel.buttons["stop"].click()
+    assert bench.panel.message.text() == "Stopping…"
+    bench.wait()
+    assert bench.panel.message.text() == "Stopped. Nothing new was stored."
+    assert (window.document.design, bench.state.verification) == (before, None)
 
 
 def test_start_and_focus_here_always_go_on_to_the_next_page(bench):

@@ -124,7 +124,9 @@ def test_it_holds_for_its_own_measurement_alone(begun):
     )
 
 
-def test_stop_answers_while_it_is_verified(begun):
+def test_stop_answers_while_it_is_begun_or_verified(begun):
+    with pytest.raises(Stopped):
+        begin_verifying(begun.found, begun.focus, BURST, others=OTHERS, stop=lambda: True)
     with pytest.raises(Stopped):
         verify_next(begun, stand_in(), stop=lambda: True)
 

@@ -20,7 +20,7 @@ from skinsource.actuators.rigs import wired_channel
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.job import Progress, Stop, never, silent
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design, View
 from skinsource.design.signal_path import actuation_of_rig
 from skinsource.design.waveform import Waveform
@@ -141,6 +141,8 @@ def begin_verifying(
     *,
     level: float = 0.3,
     others: Sequence[str] | None = None,
+    progress: Progress = silent,
+    stop: Stop = never,
 ) -> Verification:
     """Return what is to be played, and where the sensor goes; nothing is played yet.
 
@@ -154,6 +156,9 @@ def begin_verifying(
         What the target does, and how strongly, as of `skinsource.inverse.Focus.design`.
     others
         Names of limbs of other people; None: all measured ones.
+    progress, stop
+        ``progress`` is called before the levels of each design; once ``stop`` returns True,
+        `Stopped` is raised.
 
     Raises
     ------
@@ -161,6 +166,8 @@ def begin_verifying(
         The waveform has nothing in the band, or others are too few.
     DatasetMissingError
         The measured dataset is needed, and not installed.
+    Stopped
+        ``stop`` returned True.
     """
     limb, at_hz = found.partial.limb, focus.frequencies_hz
     energy = np.square(np.abs(focus.row)).sum(axis=0)
@@ -180,7 +187,11 @@ def begin_verifying(
         for name, each in solved.items()
     }
     people = people_of(others, 2)
-    expected = {name: levels(design, _LEVEL, limbs=people) for name, design in designs.items()}
+    expected: dict[Played, Range] = {}
+    for number, (name, design) in enumerate(designs.items()):
+        stop_if(stop)
+        progress(number, len(designs), f"Levels on other people: {name}")
+        expected[name] = levels(design, _LEVEL, limbs=people)
     quiet = [output for output in hand_outputs(limb) if output != focus.target]
     by_level = sorted(quiet, key=lambda output: -expected["focus"].mean_db[output - 1])
     return Verification(
