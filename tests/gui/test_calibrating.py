@@ -5,7 +5,7 @@ import threading
 from dataclasses import replace
 
 import pytest
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QToolButton
+from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox, QToolButton
 
 import skinsource as ss
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
@@ -224,13 +224,17 @@ def test_a_rig_plays_only_when_all_is_ticked_and_armed_and_its_channels_are_know
     panel.cells["station"].field.choose("rig")
     start = panel.buttons["start"]
     assert (start.isEnabled(), start.toolTip()) == (False, "Enter a code of the person first")
-    panel.cells["person"].edited.emit("person", "p07", None)
+    assert (
+        panel.findChild(QLabel, "calibration_lacks").text() == "Enter a code of the person first."
+    )
+    panel.cells["person"].field.setText("p07")
     assert (start.isEnabled(), start.toolTip()) == (False, "Tick all four points first")
     for box in panel.checks.values():
         box.click()
     assert (start.isEnabled(), start.toolTip()) == (False, "Arm the actuators first")
     panel.arm.click()
     bench.press("start")
+    assert bench.state.sitting.person == "p07"
     assert "Place 7 has no measured response" in panel.message.text()
     window.playback.player.settings.choose_rig(None)
     assert (bench.state.stand_in, panel.arm.isChecked()) == (True, False)

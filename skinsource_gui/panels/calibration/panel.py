@@ -4,7 +4,7 @@ import tomllib
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Signal
@@ -15,7 +15,7 @@ from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.spec import ChoiceSpec, Spec
-from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.editors import FieldCell, TextLine
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.panels.calibration.steps import (
     MOUNTING,
@@ -99,6 +99,8 @@ class CalibrationPanel(Panel):
             number: tool_button(self, f"step_{number}", title, checkable=True)
             for number, title in enumerate(_STEPS)
         }
+        self._person = cast("TextLine", self.cells["person"].field)
+        self._lacks = page_label("calibration_lacks", tone="dim")
         self.grid = FieldGrid()
         self.sweeps = RowTable("calibration_sweeps", "Sweeps", _SWEEPS, wide=(1,))
         self.verified = RowTable("calibration_verified", "Verification", _VERIFIED, wide=(0,))
@@ -110,19 +112,20 @@ class CalibrationPanel(Panel):
         self._pages = QtWidgets.QStackedWidget()
         self._lay_out()
         for name, button in self.buttons.items():
-            button.clicked.connect(partial(self.asked.emit, name))
+            button.clicked.connect(partial(self._ask, name))
         for number, step in self.steps.items():
             step.clicked.connect(partial(self.field_edited.emit, "step", number))
         for box in (*self.checks.values(), self.arm):
             box.toggled.connect(self._enable)
         self.arm.toggled.connect(self._follow_arm)
+        self._person.textChanged.connect(self._enable)
         self._go(MOUNTING)
 
     @property
     def missing(self) -> str:
         """What is to be done before something can be played; "": nothing."""
         state = self._state
-        if state is not None and not state.sitting.person:
+        if not self._person.text():
             return _CODE
         if not all(box.isChecked() for box in self.checks.values()):
             return _CHECK
@@ -166,6 +169,11 @@ class CalibrationPanel(Panel):
         self.bar.setRange(0, total)
         self.bar.setValue(done)
         self.message.setText(f"{text}…")
+
+    def _ask(self, name: str) -> None:
+        # A click on a button need not take the keyboard from what is being typed.
+        self._person.editingFinished.emit()
+        self.asked.emit(name)
 
     def _edit(self, name: str, value: Any, _gesture: object) -> None:
         self.field_edited.emit(name, value / 1e3 if name == _SPEED else value)
@@ -220,6 +228,7 @@ class CalibrationPanel(Panel):
         if rests and stop.hasFocus():
             self.steps[state.step].setFocus()
         stop.setEnabled(state.running)
+        self._lacks.setText(f"{missing}." if rests and missing else "")
         show_tooltip(self.buttons["start"], missing or TEXTS["BUTTONS"]["start"]["hint"])
 
     def _go(self, step: int) -> None:
@@ -237,7 +246,7 @@ class CalibrationPanel(Panel):
         sweeps = in_row(buttons["repeat"], None, buttons["save"], buttons["focus"])
         verified = in_row(buttons["report"], None, buttons["verify"])
         rows = (
-            ((fields, 1), in_row(self.arm, None, buttons["start"])),
+            ((fields, 1), in_row(self.arm, (self._lacks, 1), buttons["start"])),
             ((self.sweeps, 1), sweeps),
             (self.verdict, (self.verified, 1), verified),
         )
