@@ -148,6 +148,9 @@ def test_the_report_says_what_was_measured_and_how(done, tmp_path):
     for name, digest in read["files"].items():
         assert sha256((tmp_path / name).read_bytes()).hexdigest() == digest
     assert {"person.h5", "focus.wav", "best-single.wav.json"} <= {*read["files"]}
+    sidecar = (tmp_path / "time-reversal.wav.json").read_text("utf-8")
+    assert "Time reversal at output 30 of p07" in sidecar
+    assert "Focus on" not in sidecar
     assert (tmp_path / "report.pdf").read_bytes().startswith(b"%PDF")
     assert about["state"] == read["state"]
 

@@ -183,7 +183,11 @@ def begin_verifying(
     }
     through = actuation_of_rig(found.rig, RegularisedInverse())
     designs = {
-        name: replace(each.design(waveform, level=level), actuation=through)
+        name: replace(
+            each.design(waveform, level=level),
+            title=f"{name.capitalize()} at output {focus.target} of {found.sitting.person}",
+            actuation=through,
+        )
         for name, each in solved.items()
     }
     people = people_of(others, 2)
