@@ -17,6 +17,7 @@ from skinsource.lab.calibrating import (
     save_report,
     verify_next,
 )
+from skinsource.lab.calibrating.report import _page
 from skinsource.people.partial_file import digest_of
 
 INPUTS, OTHERS = (8, 12, 16, 20), ("synthetic-2", "synthetic-3")
@@ -151,6 +152,8 @@ def test_the_report_says_what_was_measured_and_how(done, tmp_path):
     sidecar = (tmp_path / "time-reversal.wav.json").read_text("utf-8")
     assert "Time reversal at output 30 of p07" in sidecar
     assert "Focus on" not in sidecar
+    page = " ".join(text.get_text() for text in _page(about, done).texts)
+    assert f"SHA-256 of person.h5: {read['files']['person.h5']}." in page
     assert (tmp_path / "report.pdf").read_bytes().startswith(b"%PDF")
     assert about["state"] == read["state"]
 

@@ -131,7 +131,7 @@ def _page(about: dict[str, Any], verification: Verification) -> Any:
         f"those of {', '.join(focus['other_people'])}.",
         f"Levels are {_LEVELS}. Away from the target the mean of other people is predicted, and "
         "the range between them.",
-        f"Partial limb: SHA-256 {about['sha256_of_partial_limb']}. "
+        f"SHA-256 of person.h5: {about['files']['person.h5']}. "
         f"{', '.join(f'{name} {version}' for name, version in about['versions'].items())}.",
     )
     text = "\n".join(fill(sentence, _LETTERS) for sentence in sentences)
