@@ -99,15 +99,4 @@ def verified_rows(state: CalibrationState) -> list[list[tuple[str, str]]]:
 def verdict(state: CalibrationState) -> str:
     """Return in words whether a focus was verified."""
     verified = state.verification
-    if verified is None:
-        return _NOTHING
-    if verified.next_output is not None:
-        return "Not verified."
-    strong, *quiet = (check for check in verified.checks if check.played == "focus")
-    loudest = max(quiet, key=lambda check: check.measured_db)
-    name = output_name(loudest.output, state.sitting.like).short_name
-    return minus(
-        f"{verified.state.capitalize()}: {strong.measured_db:z.1f} dB measured at the target, "
-        f"{strong.predicted_db:z.1f} dB predicted. The louder of two quiet places, {name}, "
-        f"measured {loudest.measured_db:z.1f} dB."
-    )
+    return _NOTHING if verified is None else minus(verified.words)

@@ -107,6 +107,22 @@ def test_channels_wait_for_one_that_is_known_to_be_late(begun):
         assert abs(check.delay_s) < 1e-4
 
 
+@pytest.mark.parametrize(
+    ("middle_db", "said"),
+    [
+        (-20.0, "2.0 dB below the target. It is 3.1 dB quieter there"),
+        (-9.0, "1.0 dB above the target. It is 2.5 dB louder there"),
+    ],
+)
+def test_the_louder_quiet_place_is_compared_with_target_and_best_single_input(
+    done, middle_db, said
+):
+    levels_db = -10.0, -10.5, 0.0, -12.0, -9.4, 0.0, middle_db, -12.0, 0.0
+    pairs = zip(done.checks, levels_db, strict=True)
+    checks = tuple(replace(check, measured_db=level_db) for check, level_db in pairs)
+    assert said in replace(done, checks=checks).words
+
+
 def test_a_sensor_elsewhere_than_at_the_target_differs(begun):
     assert verified(begun, first=9).state == "differs"
 

@@ -33,6 +33,7 @@ from skinsource.lab.calibrating.station import Station
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.session import Mixer
 from skinsource.limbs.limb import Limb
+from skinsource.limbs.locations import output_name
 from skinsource.people.others import hand_outputs, people_of
 from skinsource.people.partial_file import digest_of
 from skinsource.people.partial_limb import PartialLimb
@@ -127,6 +128,26 @@ class Verification:
         good = abs(strong.measured_db - strong.predicted_db) <= MOST_OFF_DB
         good = good and all(check.measured_db <= check.high_db for check in quiet)
         return "verified" if good else "differs"
+
+    @property
+    def words(self) -> str:
+        """What was found, and how the louder quiet place compares with target and single input."""
+        if self.next_output is not None:
+            return "Not verified."
+        at = {(check.played, check.output): check.measured_db for check in self.checks}
+        strong, target = self.checks[0], self.places[0]
+        loudest = max(self.places[1:], key=lambda output: at["focus", output])
+        below_db = at["focus", target] - at["focus", loudest]
+        single_db = at["best single", target] - at["best single", loudest]
+        name = output_name(loudest, self.found.sitting.like).short_name
+        return (
+            f"{self.state.capitalize()}: {strong.measured_db:z.1f} dB measured at the target, "
+            f"{strong.predicted_db:z.1f} dB predicted. The louder of two quiet places, {name}, is "
+            f"{abs(below_db):.1f} dB {'below' if below_db >= 0.0 else 'above'} the target. It is "
+            f"{abs(below_db - single_db):.1f} dB "
+            f"{'quieter' if below_db >= single_db else 'louder'} there than the best single input "
+            "that is as strong at the target."
+        )
 
     def holds_for(self, partial: PartialLimb) -> bool:
         """Whether it is of this very measurement: after mounting anew it is not."""
