@@ -75,6 +75,8 @@ class Calibrating(QObject):
         # A `Station`, once something is measured; only that of a stand-in person can be moved.
         self._station: Any = None
         self._job: Job[Any] | None = None
+        # What is said while the tracks play a focus, and its design.
+        self._focused: tuple[str, Design | None] = "", None
         # Whether what a rig measured is in no file; the stand-in person can always be asked again.
         self._unsaved = False
         self.make_stand_in: Callable[[int], StandIn] = lambda output: lab.calibrating.StandIn(
@@ -84,6 +86,7 @@ class Calibrating(QObject):
         self._runner.progressed.connect(self._show_progress)
         player.settings.changed.connect(self._follow_rig)
         self._document.changed.connect(self._follow_outputs)
+        self._document.changed.connect(self._follow_focus)
         services.panels.each(self._meet)
 
     @cached_property
@@ -140,6 +143,8 @@ class Calibrating(QObject):
             rows=(),
             found=None,
             verification=None,
+            said=CalibrationState.said,
+            warns=False,
         )
         self.changed.emit()
 
@@ -327,8 +332,8 @@ class Calibrating(QObject):
     def _take_focus(self, focused: "tuple[Design, Verification]") -> None:
         (design, begun), sitting = focused, self._found.sitting
         title = f"Focus of {sitting.person}: {output_name(sitting.output, sitting.like).name}"
-        shown: dict[str, Any] = {"outputs": (sitting.output,), "axes": "z"}
-        view = replace(self._document.view, selected_inputs=(), selected_clips=(), **shown)
+        seen = self._document.view
+        view = replace(seen, outputs=(sitting.output,), selected_inputs=(), selected_clips=())
         edit: Any = Edit(label="Focus here", design=replace(design, title=title), view=view)
         if not self.state.stand_in:
             rigged = choose_rig(edit.design, view, self._found.rig)
@@ -338,7 +343,14 @@ class Calibrating(QObject):
             f"The tracks now play the focus. The skin map shows what they do on "
             f"{limb_label(sitting.like).title}, not on {sitting.person}. Press Verify."
         )
+        self._focused = said, self._document.design
         self._put(verification=begun, step=FOCUS, said=said, warns=False)
+
+    def _follow_focus(self) -> None:
+        """Say that the tracks play the focus only as long as they do."""
+        said, design = self._focused
+        if said and self.state.said == said and self._document.design != design:
+            self._put(said="Verify plays the focus.")
 
     def _verify(self) -> None:
         """Play the focus, and compare the sensor with the prediction, at one place or all."""

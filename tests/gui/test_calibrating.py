@@ -180,6 +180,18 @@ def test_stop_answers_during_focus_here_and_the_design_stays(bench, window):
     assert (window.document.design, bench.state.verification) == (before, None)
 
 
+def test_the_panel_says_that_tracks_play_the_focus_while_they_do(bench, window):
+    document, message = window.document, bench.panel.message
+    document.look(replace(document.view, axes="xyz", outputs=(52,)))
+    bench.press("start")
+    before = document.view
+    bench.press("focus")
+    assert message.text().startswith("The tracks now play the focus.")
+    document.undo_stack.undo()
+    assert message.text() == "Verify plays the focus."
+    assert (document.view.axes, document.view.outputs) == (before.axes, before.outputs)
+
+
 def test_start_and_focus_here_always_go_on_to_the_next_page(bench):
     for button, from_page, to_page in [("start", MOUNTING, SWEEPS), ("focus", SWEEPS, FOCUS)] * 2:
         bench.panel.steps[from_page].click()
