@@ -53,8 +53,8 @@ class Calibrating(QObject):
         What the window has.
     player
         Ends before anything else is played; knows rig and device.
-    arrange
-        Shows the workspace of the panel.
+    arrange, ask_where
+        Shows the workspace of the panel; asks for a file to write.
 
     Attributes
     ----------
@@ -66,11 +66,17 @@ class Calibrating(QObject):
     changed = Signal()
     _heard = Signal(object)  # from the thread
 
-    def __init__(self, services: Services, player: Player, arrange: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        services: Services,
+        player: Player,
+        arrange: Callable[[], None],
+        ask_where: Callable[[str, Path, str], Path | None],
+    ) -> None:
         super().__init__(services.window)
         self._window, self._document = services.window, services.document
         self._runner, self._preferences = services.runner, services.preferences
-        self._player, self._arrange = player, arrange
+        self._player, self._arrange, self._ask_where = player, arrange, ask_where
         self._panel: CalibrationPanel | None = None
         # A `Station`, once something is measured; only that of a stand-in person can be moved.
         self._station: Any = None
@@ -281,16 +287,13 @@ class Calibrating(QObject):
 
     def _save(self) -> bool:
         """Ask for a file and write the partial limb; return whether that was done."""
-        found = self._found
         start = self._preferences.folder / f"{self._file_name}.h5"
-        name, _ = QtWidgets.QFileDialog.getSaveFileName(
-            self._window, "Save the partial limb", str(start), _FILES
-        )
-        if name:
-            people.save_partial(Path(name), found.partial)
-            self._preferences.folder, self._unsaved = Path(name).parent, False
-            self._put(said=f"Saved {Path(name).name}.", warns=False)
-        return bool(name)
+        path = self._ask_where("Save the partial limb", start, _FILES)
+        if path is not None:
+            people.save_partial(path, self._found.partial)
+            self._preferences.folder, self._unsaved = path.parent, False
+            self._put(said=f"Saved {path.name}.", warns=False)
+        return path is not None
 
     @property
     def _found(self) -> "Calibration":

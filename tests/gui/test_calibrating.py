@@ -11,6 +11,7 @@ import skinsource as ss
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.base.errors import Stopped
 from skinsource.lab.calibrating import StandIn
+from skinsource.limbs.locations import output_name
 from skinsource_gui.panels.calibration.steps import FOCUS, MOUNTING, SWEEPS
 
 WAIT = {"timeout": 60_000}
@@ -96,9 +97,11 @@ def test_the_stand_in_person_is_calibrated_focused_on_and_verified(
     assert panel.verdict.text().startswith("Verified: ")
     assert panel.verified.item(0, 0).text().startswith("52 ")
     assert panel.verified.rowCount() == 9
-    answers["save"] = str(tmp_path / "p.h5")
+    whom = f"stand-in, output 52: {output_name(52).name}"
+    assert panel.findChild(QLabel, "calibration_whom").text() == whom
+    answers["save"] = str(tmp_path / "p")
     bench.press("save")
-    saved = ss.people.open_partial(answers["save"])
+    saved = ss.people.open_partial(tmp_path / "p.h5")
     assert (saved.person, saved.outputs, saved.inputs) == ("stand-in", (52,), INPUTS)
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
     bench.press("report")

@@ -23,6 +23,7 @@ from skinsource_gui.panels.calibration.steps import (
     sweep_rows,
     verdict,
     verified_rows,
+    whom,
 )
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scrolled, tool_button
 from skinsource_gui.qt.labels import RowTable
@@ -106,6 +107,7 @@ class CalibrationPanel(Panel):
         self.verified = RowTable("calibration_verified", "Verification", _VERIFIED, wide=(0,))
         for table in (self.sweeps, self.verified):
             table.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.NoSelection)
+        self.whom = page_label("calibration_whom")
         self.verdict = page_label("calibration_verdict")
         self.message = page_label("calibration_message")
         self.bar = progress_bar("calibration_bar", "Progress", keeps_room=True)
@@ -161,6 +163,8 @@ class CalibrationPanel(Panel):
             # How far it is follows.
             self.bar.setRange(0, 0)
         self.bar.setVisible(state.running)
+        self.whom.setText(whom(state))
+        self.whom.setVisible(state.step != MOUNTING)
         self._enable()
         self._go(state.step)
 
@@ -258,5 +262,12 @@ class CalibrationPanel(Panel):
         foot = in_row((self.bar, 1), buttons["stop"])
         edges = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
         in_column(
-            head, self.message, (self._pages, 1), foot, of=self, margins=edges, gap_px=UNIT_PX
+            head,
+            self.whom,
+            self.message,
+            (self._pages, 1),
+            foot,
+            of=self,
+            margins=edges,
+            gap_px=UNIT_PX,
         )

@@ -65,6 +65,13 @@ class CalibrationState:
         return found is not None and not found.moved and len(found.failures) < len(found.rows)
 
 
+def whom(state: CalibrationState) -> str:
+    """Return who is measured, or was, and where."""
+    shown = state.sitting if state.running or state.found is None else state.found.sitting
+    name = output_name(shown.output, state.sitting.like).name
+    return f"{shown.person or 'Nobody'}, output {shown.output}: {name}"
+
+
 def sweep_rows(state: CalibrationState) -> list[list[tuple[str, str]]]:
     """Return text and tooltip of the cells of each input."""
     known = {row.place: row for row in state.rows}
