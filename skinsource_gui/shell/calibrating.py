@@ -1,8 +1,10 @@
 """Calibrating a person in the window: sweeps, focus and verification, as jobs."""
 
+import re
 import tomllib
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import datetime
 from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -12,7 +14,8 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from skinsource import lab, people
 from skinsource.base.errors import SkinSourceError, counted, sentence
-from skinsource.base.job import Job, Progress, Stop
+from skinsource.base.files import path_text
+from skinsource.base.job import Job, Progress, Stop, stop_if
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import choose_rig
@@ -38,7 +41,7 @@ _PANEL = "calibration"
 #: What a focus plays, and its level at the sensor, m/s².
 WAVEFORM, LEVEL = Tone(frequency_hz=100.0, duration_s=0.2), 0.3
 _FILES = "Partial limbs (*.h5);;All files (*)"
-_STOPPED = "Stopped. Nothing was stored."
+_STOPPED = "Stopped. Nothing new was stored."
 
 
 class Calibrating(QObject):
@@ -50,8 +53,8 @@ class Calibrating(QObject):
         What the window has.
     player
         Ends before anything else is played; knows rig and device.
-    arrange
-        Shows the workspace of the panel.
+    arrange, ask_where
+        Shows the workspace of the panel; asks for a file to write.
 
     Attributes
     ----------
@@ -63,16 +66,24 @@ class Calibrating(QObject):
     changed = Signal()
     _heard = Signal(object)  # from the thread
 
-    def __init__(self, services: Services, player: Player, arrange: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        services: Services,
+        player: Player,
+        arrange: Callable[[], None],
+        ask_where: Callable[[str, Path, str], Path | None],
+    ) -> None:
         super().__init__(services.window)
         self._window, self._document = services.window, services.document
         self._runner, self._preferences = services.runner, services.preferences
-        self._player, self._arrange = player, arrange
+        self._player, self._arrange, self._ask_where = player, arrange, ask_where
         self._panel: CalibrationPanel | None = None
         # A `Station`, once something is measured; only that of a stand-in person can be moved.
         self._station: Any = None
         self._job: Job[Any] | None = None
-        # Whether what was measured is in no file.
+        # What is said while the tracks play a focus, and its design.
+        self._focused: tuple[str, Design | None] = "", None
+        # Whether what a rig measured is in no file; the stand-in person can always be asked again.
         self._unsaved = False
         self.make_stand_in: Callable[[int], StandIn] = lambda output: lab.calibrating.StandIn(
             output=output
@@ -81,6 +92,7 @@ class Calibrating(QObject):
         self._runner.progressed.connect(self._show_progress)
         player.settings.changed.connect(self._follow_rig)
         self._document.changed.connect(self._follow_outputs)
+        self._document.changed.connect(self._follow_focus)
         services.panels.each(self._meet)
 
     @cached_property
@@ -120,13 +132,14 @@ class Calibrating(QObject):
         if self._panel is not None:
             title = self._player.settings.rig_title
             stands_in = not title or self._preferences.stand_in
-            if (title, stands_in) != (self.state.rig_title, self.state.stand_in):
+            is_new = (title, stands_in) != (self.state.rig_title, self.state.stand_in)
+            if is_new and self.may_lose():
                 self.state = replace(self.state, rig_title=title)
                 self._choose_station(stands_in)
 
     def _choose_station(self, stands_in: bool) -> None:
         """Begin anew with the stand-in person, or with the rig."""
-        self._preferences.stand_in = stands_in
+        self._preferences.stand_in, self._unsaved = stands_in, False
         known = tomllib.loads(read_text("calibration.toml"))["STAND_IN"]
         texts = known if stands_in else dict.fromkeys(known, "")
         self._put(
@@ -136,6 +149,8 @@ class Calibrating(QObject):
             rows=(),
             found=None,
             verification=None,
+            said=CalibrationState.said,
+            warns=False,
         )
         self.changed.emit()
 
@@ -148,7 +163,11 @@ class Calibrating(QObject):
     def _edit(self, name: str, value: Any) -> None:
         state = self.state
         if name == "station":
-            self._choose_station(value == "stand_in")
+            if self.may_lose():
+                self._choose_station(value == "stand_in")
+            self._put()
+        elif name == "step":
+            self._put(step=value)
         elif name == "output":
             self._document.look(replace(self._document.view, outputs=(int(value),)))
             self._put(sitting=replace(state.sitting, output=int(value)))
@@ -163,6 +182,7 @@ class Calibrating(QObject):
         if name == "stop":
             if self._job is not None:
                 self._runner.cancel(self._job)
+                self._put(said="Stopping…")
             return
         try:
             getattr(self, f"_{name}")()
@@ -197,43 +217,37 @@ class Calibrating(QObject):
             others = (row for row in self.state.rows if row.place != measured.place)
             self._put(rows=(*others, measured))
 
-    @property
-    def _others(self) -> tuple[str, ...] | None:
-        """Limbs of the other people; None: all measured ones."""
-        return getattr(self._station, "others", None)
-
     def _start(self) -> None:
-        """Measure all inputs."""
+        """Measure all inputs; what was measured before stays until that is done."""
         if not self.may_lose():
             return
         state, settings = self.state, self._player.settings
         if state.stand_in:
-            self._station = self.make_stand_in(state.sitting.output)
-            like = self._station.like
+            station: Any = self.make_stand_in(state.sitting.output)
+            like = station.like
         elif settings.rig_is_read() and settings.rig is not None:
             setup = replace(state.setup, input_device="", loopback_input=0)
-            self._station = lab.calibrating.CardStation(
+            station = lab.calibrating.CardStation(
                 rig=settings.rig, setup=setup, output=settings.output
             )
             like = lab.calibrating.Sitting().like
         else:
             return
-        places = tuple(channel.place for channel in self._station.rig.channels)
+        places = tuple(channel.place for channel in station.rig.channels)
         sitting = replace(state.sitting, like=like)
-        self._put(sitting=sitting, places=places, step=SWEEPS, found=None, rows=())
-        self._measure(None)
+        self._put(sitting=sitting, places=places, step=SWEEPS, rows=())
+        self._measure(station, None)
 
     def _repeat(self) -> None:
         """Measure again what was not accepted."""
         found = self.state.found
         kept = () if found is None or found.moved else found.rows
         self._put(rows=tuple(row for row in kept if not row.failures))
-        self._measure(found)
+        self._measure(self._station, found)
 
-    def _measure(self, before: "Calibration | None") -> None:
-        sitting, station, others = self.state.sitting, self._station, self._others
-        # Mounted anew, nothing is verified.
-        self._put(verification=None)
+    def _measure(self, station: Any, before: "Calibration | None") -> None:
+        # Limbs of the other people; None: all measured ones.
+        sitting, others = self.state.sitting, getattr(station, "others", None)
 
         def work(progress: Progress, stop: Stop) -> "tuple[Calibration, int]":
             found = lab.calibrating.calibrate(
@@ -250,10 +264,10 @@ class Calibrating(QObject):
                 output = people.likeliest_place(found.partial, output)
             return found, output
 
-        self._run("Calibrating a person", work, self._take_measured)
+        self._run("Calibrating a person", work, partial(self._take_measured, station))
 
-    def _take_measured(self, measured: "tuple[Calibration, int]") -> None:
-        found, likeliest = measured
+    def _take_measured(self, station: Any, measured: "tuple[Calibration, int]") -> None:
+        self._station, (found, likeliest) = station, measured
         said = f"All {len(found.rows)} inputs are accepted. Focus here makes a design of them."
         if found.moved:
             said = f"{found.moved} Check the sensor, then press Repeat failed."
@@ -267,26 +281,31 @@ class Calibrating(QObject):
             name = output_name(likeliest, found.sitting.like).name
             said = f"It looks more like output {likeliest}, {name}. Check where the sensor lies."
         warns = not found.accepted or likeliest != found.sitting.output
-        self._put(found=found, rows=found.rows, said=said, warns=warns)
+        # Mounted anew, nothing is verified.
+        self._put(found=found, rows=found.rows, verification=None, said=said, warns=warns)
         self._unsaved = self.state.has_partial and not self.state.stand_in
 
     def _save(self) -> bool:
         """Ask for a file and write the partial limb; return whether that was done."""
-        found = self._found
-        start = self._preferences.folder / f"{found.sitting.person}-{found.sitting.output}.h5"
-        name, _ = QtWidgets.QFileDialog.getSaveFileName(
-            self._window, "Save the partial limb", str(start), _FILES
-        )
-        if name:
-            people.save_partial(Path(name), found.partial)
-            self._preferences.folder, self._unsaved = Path(name).parent, False
-            self._put(said=f"Saved {Path(name).name}.", warns=False)
-        return bool(name)
+        start = self._preferences.folder / f"{self._file_name}.h5"
+        path = self._ask_where("Save the partial limb", start, _FILES)
+        if path is not None:
+            people.save_partial(path, self._found.partial)
+            self._preferences.folder, self._unsaved = path.parent, False
+            self._put(said=f"Saved {path.name}.", warns=False)
+        return path is not None
 
     @property
     def _found(self) -> "Calibration":
         """What was measured; buttons that need it are off until then."""
         return cast("Calibration", self.state.found)
+
+    @property
+    def _file_name(self) -> str:
+        """Names person and output in letters that any file system takes."""
+        sitting = self._found.sitting
+        person = re.sub(r"[^\w.-]", "_", sitting.person)
+        return f"{person}-{sitting.output}"
 
     @property
     def _begun(self) -> "Verification":
@@ -295,15 +314,20 @@ class Calibrating(QObject):
 
     def _focus(self) -> None:
         """Make the design that is strong at the sensor and quiet elsewhere."""
-        found, others = self._found, self._others
+        found, others = self._found, getattr(self._station, "others", None)
 
         def work(progress: Progress, stop: Stop) -> "tuple[Design, Verification]":
-            progress(0, 2, "Drives of the focus")
             focus = people.focus(found.partial, found.sitting.output, others=others)
-            progress(1, 2, "Its levels on other people")
             begun = lab.calibrating.begin_verifying(
-                found, focus, WAVEFORM, level=LEVEL, others=others
+                found,
+                focus,
+                WAVEFORM,
+                level=LEVEL,
+                others=others,
+                progress=progress,
+                stop=stop,
             )
+            stop_if(stop)
             return focus.design(WAVEFORM, level=LEVEL), begun
 
         self._run("Focusing", work, self._take_focus)
@@ -311,8 +335,8 @@ class Calibrating(QObject):
     def _take_focus(self, focused: "tuple[Design, Verification]") -> None:
         (design, begun), sitting = focused, self._found.sitting
         title = f"Focus of {sitting.person}: {output_name(sitting.output, sitting.like).name}"
-        shown: dict[str, Any] = {"outputs": (sitting.output,), "axes": "z"}
-        view = replace(self._document.view, selected_inputs=(), selected_clips=(), **shown)
+        seen = self._document.view
+        view = replace(seen, outputs=(sitting.output,), selected_inputs=(), selected_clips=())
         edit: Any = Edit(label="Focus here", design=replace(design, title=title), view=view)
         if not self.state.stand_in:
             rigged = choose_rig(edit.design, view, self._found.rig)
@@ -322,7 +346,14 @@ class Calibrating(QObject):
             f"The tracks now play the focus. The skin map shows what they do on "
             f"{limb_label(sitting.like).title}, not on {sitting.person}. Press Verify."
         )
+        self._focused = said, self._document.design
         self._put(verification=begun, step=FOCUS, said=said, warns=False)
+
+    def _follow_focus(self) -> None:
+        """Say that the tracks play the focus only as long as they do."""
+        said, design = self._focused
+        if said and self.state.said == said and self._document.design != design:
+            self._put(said="Verify plays the focus.")
 
     def _verify(self) -> None:
         """Play the focus, and compare the sensor with the prediction, at one place or all."""
@@ -352,11 +383,12 @@ class Calibrating(QObject):
         self._put(verification=verified, said=said, warns=False)
 
     def _report(self) -> None:
-        """Ask for a folder, and write the report into it."""
+        """Ask for a folder, and write the report into a new one there."""
         name = QtWidgets.QFileDialog.getExistingDirectory(
             self._window, "Folder of the report", str(self._preferences.folder)
         )
         if name:
-            lab.calibrating.save_report(Path(name), self._begun)
+            folder = Path(name) / f"{self._file_name}-{datetime.now():%Y-%m-%d-%H%M%S}"
+            lab.calibrating.save_report(folder, self._begun)
             self._preferences.folder, self._unsaved = Path(name), False
-            self._put(said=f"Wrote the report into {Path(name).name}.", warns=False)
+            self._put(said=f"Wrote the report into {path_text(folder)}.", warns=False)

@@ -5,12 +5,13 @@ import threading
 from dataclasses import replace
 
 import pytest
-from PySide6.QtWidgets import QFileDialog, QToolButton
+from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox, QToolButton
 
 import skinsource as ss
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.base.errors import Stopped
 from skinsource.lab.calibrating import StandIn
+from skinsource.limbs.locations import output_name
 from skinsource_gui.panels.calibration.steps import FOCUS, MOUNTING, SWEEPS
 
 WAIT = {"timeout": 60_000}
@@ -44,7 +45,10 @@ def bench(window, qtbot):
             assert self.panel.buttons[name].isEnabled(), self.state.said
             self.panel.buttons[name].click()
             if wait:
-                qtbot.waitUntil(lambda: not self.state.running, **WAIT)
+                self.wait()
+
+        def wait(self):
+            qtbot.waitUntil(lambda: not self.state.running, **WAIT)
 
         def results(self):
             return [self.panel.sweeps.item(row, 1).text() for row in range(len(INPUTS))]
@@ -93,13 +97,17 @@ def test_the_stand_in_person_is_calibrated_focused_on_and_verified(
     assert panel.verdict.text().startswith("Verified: ")
     assert panel.verified.item(0, 0).text().startswith("52 ")
     assert panel.verified.rowCount() == 9
-    answers["save"] = str(tmp_path / "p.h5")
+    whom = f"stand-in, output 52: {output_name(52).name}"
+    assert panel.findChild(QLabel, "calibration_whom").text() == whom
+    answers["save"] = str(tmp_path / "p")
     bench.press("save")
-    saved = ss.people.open_partial(answers["save"])
+    saved = ss.people.open_partial(tmp_path / "p.h5")
     assert (saved.person, saved.outputs, saved.inputs) == ("stand-in", (52,), INPUTS)
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
     bench.press("report")
-    assert json.loads((tmp_path / "report.json").read_text("utf-8"))["state"] == "verified"
+    (report,) = tmp_path.glob("stand-in-52-*/report.json")
+    assert json.loads(report.read_text("utf-8"))["state"] == "verified"
+    assert panel.message.text() == f"Wrote the report into {report.parent}."
     # What is mounted anew is not verified.
     bench.press("start")
     assert panel.verdict.text() == "Nothing is measured yet."
@@ -164,6 +172,64 @@ def test_stop_answers_while_sweeps_are_played(bench, qtbot):
     assert bench.panel.buttons["start"].isEnabled()
 
 
+def test_stop_answers_during_focus_here_and_the_design_stays(bench, window):
+    bench.press("start")
+    before = window.document.design
+    bench.press("focus", wait=False)
+    bench.panel.buttons["stop"].click()
+    assert bench.panel.message.text() == "Stopping…"
+    bench.wait()
+    assert bench.panel.message.text() == "Stopped. Nothing new was stored."
+    assert (window.document.design, bench.state.verification) == (before, None)
+
+
+def test_the_panel_says_that_tracks_play_the_focus_while_they_do(bench, window):
+    document, message = window.document, bench.panel.message
+    document.look(replace(document.view, axes="xyz", outputs=(52,)))
+    bench.press("start")
+    before = document.view
+    bench.press("focus")
+    assert message.text().startswith("The tracks now play the focus.")
+    document.undo_stack.undo()
+    assert message.text() == "Verify plays the focus."
+    assert (document.view.axes, document.view.outputs) == (before.axes, before.outputs)
+
+
+def test_start_and_focus_here_always_go_on_to_the_next_page(bench):
+    for button, from_page, to_page in [("start", MOUNTING, SWEEPS), ("focus", SWEEPS, FOCUS)] * 2:
+        bench.panel.steps[from_page].click()
+        bench.press(button)
+        assert [step.isChecked() for step in bench.panel.steps.values()].index(True) == to_page
+
+
+def test_what_was_measured_stays_until_the_new_measurement_is_complete(bench, qtbot):
+    bench.press("start")
+    bench.press("focus")
+    before = bench.state
+    bench.calibrating.make_stand_in = lambda output: Endless(output=output, inputs=INPUTS)
+    bench.press("start", wait=False)
+    assert bench.results() == [""] * 3
+    bench.press("stop")
+    assert (bench.state.found, bench.state.rows) == (before.found, before.rows)
+    assert bench.panel.verdict.text() == "Not verified."
+    # It is verified on the station where it was measured.
+    bench.press("verify")
+    assert bench.panel.verdict.text().startswith("Verified: ")
+
+
+def test_what_a_rig_measured_is_not_lost_by_another_station_without_a_question(bench, answers):
+    bench.press("start")
+    bench.calibrating._put(stand_in=False, rig_title="Bench")
+    bench.calibrating._unsaved, station = True, bench.panel.cells["station"].field
+    station.choose("stand_in")
+    assert answers["asked"] == ["What was measured is in no file. Save it?"]
+    assert (station.value, bench.state.found is None) == ("rig", False)
+    answers["question"] = QMessageBox.StandardButton.Discard
+    station.choose("stand_in")
+    assert (bench.state.found, bench.calibrating.may_lose()) == (None, True)
+    assert len(answers["asked"]) == 2
+
+
 def test_a_rig_plays_only_when_all_is_ticked_and_armed_and_its_channels_are_known(
     bench, window, tmp_path
 ):
@@ -173,13 +239,17 @@ def test_a_rig_plays_only_when_all_is_ticked_and_armed_and_its_channels_are_know
     panel.cells["station"].field.choose("rig")
     start = panel.buttons["start"]
     assert (start.isEnabled(), start.toolTip()) == (False, "Enter a code of the person first")
-    panel.cells["person"].edited.emit("person", "p07", None)
+    assert (
+        panel.findChild(QLabel, "calibration_lacks").text() == "Enter a code of the person first."
+    )
+    panel.cells["person"].field.setText("p07")
     assert (start.isEnabled(), start.toolTip()) == (False, "Tick all four points first")
     for box in panel.checks.values():
         box.click()
     assert (start.isEnabled(), start.toolTip()) == (False, "Arm the actuators first")
     panel.arm.click()
     bench.press("start")
+    assert bench.state.sitting.person == "p07"
     assert "Place 7 has no measured response" in panel.message.text()
     window.playback.player.settings.choose_rig(None)
     assert (bench.state.stand_in, panel.arm.isChecked()) == (True, False)

@@ -4,7 +4,7 @@ import tomllib
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Signal
@@ -15,7 +15,7 @@ from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.spec import ChoiceSpec, Spec
-from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.editors import FieldCell, TextLine
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.panels.calibration.steps import (
     MOUNTING,
@@ -23,6 +23,7 @@ from skinsource_gui.panels.calibration.steps import (
     sweep_rows,
     verdict,
     verified_rows,
+    whom,
 )
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scrolled, tool_button
 from skinsource_gui.qt.labels import RowTable
@@ -99,37 +100,41 @@ class CalibrationPanel(Panel):
             number: tool_button(self, f"step_{number}", title, checkable=True)
             for number, title in enumerate(_STEPS)
         }
+        self._person = cast("TextLine", self.cells["person"].field)
+        self._lacks = page_label("calibration_lacks", tone="dim")
         self.grid = FieldGrid()
         self.sweeps = RowTable("calibration_sweeps", "Sweeps", _SWEEPS, wide=(1,))
         self.verified = RowTable("calibration_verified", "Verification", _VERIFIED, wide=(0,))
         for table in (self.sweeps, self.verified):
             table.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.NoSelection)
+        self.whom = page_label("calibration_whom")
         self.verdict = page_label("calibration_verdict")
         self.message = page_label("calibration_message")
         self.bar = progress_bar("calibration_bar", "Progress", keeps_room=True)
         self._pages = QtWidgets.QStackedWidget()
         self._lay_out()
         for name, button in self.buttons.items():
-            button.clicked.connect(partial(self.asked.emit, name))
+            button.clicked.connect(partial(self._ask, name))
         for number, step in self.steps.items():
-            step.clicked.connect(partial(self._go, number))
+            step.clicked.connect(partial(self.field_edited.emit, "step", number))
         for box in (*self.checks.values(), self.arm):
             box.toggled.connect(self._enable)
         self.arm.toggled.connect(self._follow_arm)
+        self._person.textChanged.connect(self._enable)
         self._go(MOUNTING)
 
     @property
     def missing(self) -> str:
         """What is to be done before something can be played; "": nothing."""
         state = self._state
-        if state is not None and not state.sitting.person:
+        if not self._person.text():
             return _CODE
         if not all(box.isChecked() for box in self.checks.values()):
             return _CHECK
         return "" if state is None or state.stand_in or self.arm.isChecked() else _ARM
 
     def show_calibration(self, state: CalibrationState) -> None:
-        """Show what is known, and go to its step where that is another one."""
+        """Show what is known, and the page of its step."""
         before, self._state = self._state, state
         station = state.stand_in, state.rig_title
         if before is None or (before.stand_in, before.rig_title) != station:
@@ -142,6 +147,7 @@ class CalibrationPanel(Panel):
         for name, cell in self.cells.items():
             if name not in ("station", "output", _SPEED):
                 cell.set_value(getattr(state.setup if name in _OF_SENSOR else state.sitting, name))
+        self.cells["station"].set_value("stand_in" if state.stand_in else "rig")
         self.cells["output"].set_value(str(state.sitting.output))
         self.cells[_SPEED].set_value(1e3 * state.sitting.speed_m_per_s)
         self.sweeps.fill(sweep_rows(state), max(self.sweeps.currentRow(), 0))
@@ -157,15 +163,21 @@ class CalibrationPanel(Panel):
             # How far it is follows.
             self.bar.setRange(0, 0)
         self.bar.setVisible(state.running)
+        self.whom.setText(whom(state))
+        self.whom.setVisible(state.step != MOUNTING)
         self._enable()
-        if before is None or before.step != state.step:
-            self._go(state.step)
+        self._go(state.step)
 
     def show_progress(self, done: int, total: int, text: str) -> None:
         """Show how far sweeps or playing are."""
         self.bar.setRange(0, total)
         self.bar.setValue(done)
         self.message.setText(f"{text}…")
+
+    def _ask(self, name: str) -> None:
+        # A click on a button need not take the keyboard from what is being typed.
+        self._person.editingFinished.emit()
+        self.asked.emit(name)
 
     def _edit(self, name: str, value: Any, _gesture: object) -> None:
         self.field_edited.emit(name, value / 1e3 if name == _SPEED else value)
@@ -175,7 +187,6 @@ class CalibrationPanel(Panel):
         titles = [STATION.options[0], ("rig", state.rig_title)]
         field: Any = self.cells["station"].field
         field.set_options(titles if state.rig_title else titles[:1])
-        self.cells["station"].set_value("stand_in" if state.stand_in else "rig")
         shown = [cell for name, cell in self.cells.items() if name not in _OF_SENSOR]
         if not state.stand_in:
             shown += [self.cells[name] for name in _OF_SENSOR]
@@ -221,6 +232,7 @@ class CalibrationPanel(Panel):
         if rests and stop.hasFocus():
             self.steps[state.step].setFocus()
         stop.setEnabled(state.running)
+        self._lacks.setText(f"{missing}." if rests and missing else "")
         show_tooltip(self.buttons["start"], missing or TEXTS["BUTTONS"]["start"]["hint"])
 
     def _go(self, step: int) -> None:
@@ -238,7 +250,7 @@ class CalibrationPanel(Panel):
         sweeps = in_row(buttons["repeat"], None, buttons["save"], buttons["focus"])
         verified = in_row(buttons["report"], None, buttons["verify"])
         rows = (
-            ((fields, 1), in_row(self.arm, None, buttons["start"])),
+            ((fields, 1), in_row(self.arm, (self._lacks, 1), buttons["start"])),
             ((self.sweeps, 1), sweeps),
             (self.verdict, (self.verified, 1), verified),
         )
@@ -250,5 +262,12 @@ class CalibrationPanel(Panel):
         foot = in_row((self.bar, 1), buttons["stop"])
         edges = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
         in_column(
-            head, self.message, (self._pages, 1), foot, of=self, margins=edges, gap_px=UNIT_PX
+            head,
+            self.whom,
+            self.message,
+            (self._pages, 1),
+            foot,
+            of=self,
+            margins=edges,
+            gap_px=UNIT_PX,
         )

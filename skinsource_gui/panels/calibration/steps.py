@@ -65,6 +65,13 @@ class CalibrationState:
         return found is not None and not found.moved and len(found.failures) < len(found.rows)
 
 
+def whom(state: CalibrationState) -> str:
+    """Return who is measured, or was, and where."""
+    shown = state.sitting if state.running or state.found is None else state.found.sitting
+    name = output_name(shown.output, state.sitting.like).name
+    return f"{shown.person or 'Nobody'}, output {shown.output}: {name}"
+
+
 def sweep_rows(state: CalibrationState) -> list[list[tuple[str, str]]]:
     """Return text and tooltip of the cells of each input."""
     known = {row.place: row for row in state.rows}
@@ -99,15 +106,4 @@ def verified_rows(state: CalibrationState) -> list[list[tuple[str, str]]]:
 def verdict(state: CalibrationState) -> str:
     """Return in words whether a focus was verified."""
     verified = state.verification
-    if verified is None:
-        return _NOTHING
-    if verified.next_output is not None:
-        return "Not verified."
-    strong, *quiet = (check for check in verified.checks if check.played == "focus")
-    loudest = max(quiet, key=lambda check: check.measured_db)
-    name = output_name(loudest.output, state.sitting.like).short_name
-    return minus(
-        f"{verified.state.capitalize()}: {strong.measured_db:z.1f} dB measured at the target, "
-        f"{strong.predicted_db:z.1f} dB predicted. The louder of two quiet places, {name}, "
-        f"measured {loudest.measured_db:z.1f} dB."
-    )
+    return _NOTHING if verified is None else minus(verified.words)

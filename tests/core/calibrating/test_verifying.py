@@ -17,6 +17,7 @@ from skinsource.lab.calibrating import (
     save_report,
     verify_next,
 )
+from skinsource.lab.calibrating.report import _page
 from skinsource.people.partial_file import digest_of
 
 INPUTS, OTHERS = (8, 12, 16, 20), ("synthetic-2", "synthetic-3")
@@ -106,6 +107,22 @@ def test_channels_wait_for_one_that_is_known_to_be_late(begun):
         assert abs(check.delay_s) < 1e-4
 
 
+@pytest.mark.parametrize(
+    ("middle_db", "said"),
+    [
+        (-20.0, "2.0 dB below the target. It is 3.1 dB quieter there"),
+        (-9.0, "1.0 dB above the target. It is 2.5 dB louder there"),
+    ],
+)
+def test_the_louder_quiet_place_is_compared_with_target_and_best_single_input(
+    done, middle_db, said
+):
+    levels_db = -10.0, -10.5, 0.0, -12.0, -9.4, 0.0, middle_db, -12.0, 0.0
+    pairs = zip(done.checks, levels_db, strict=True)
+    checks = tuple(replace(check, measured_db=level_db) for check, level_db in pairs)
+    assert said in replace(done, checks=checks).words
+
+
 def test_a_sensor_elsewhere_than_at_the_target_differs(begun):
     assert verified(begun, first=9).state == "differs"
 
@@ -124,7 +141,9 @@ def test_it_holds_for_its_own_measurement_alone(begun):
     )
 
 
-def test_stop_answers_while_it_is_verified(begun):
+def test_stop_answers_while_it_is_begun_or_verified(begun):
+    with pytest.raises(Stopped):
+        begin_verifying(begun.found, begun.focus, BURST, others=OTHERS, stop=lambda: True)
     with pytest.raises(Stopped):
         verify_next(begun, stand_in(), stop=lambda: True)
 
@@ -146,6 +165,11 @@ def test_the_report_says_what_was_measured_and_how(done, tmp_path):
     for name, digest in read["files"].items():
         assert sha256((tmp_path / name).read_bytes()).hexdigest() == digest
     assert {"person.h5", "focus.wav", "best-single.wav.json"} <= {*read["files"]}
+    sidecar = (tmp_path / "time-reversal.wav.json").read_text("utf-8")
+    assert "Time reversal at output 30 of p07" in sidecar
+    assert "Focus on" not in sidecar
+    page = " ".join(text.get_text() for text in _page(about, done).texts)
+    assert f"SHA-256 of person.h5: {read['files']['person.h5']}." in page
     assert (tmp_path / "report.pdf").read_bytes().startswith(b"%PDF")
     assert about["state"] == read["state"]
 

@@ -82,6 +82,7 @@ def _about(verification: Verification) -> dict[str, Any]:
     return {
         "what": "SkinSource calibration of a person",
         "state": verification.state,
+        "verdict": verification.words,
         "sitting": asdict(found.sitting),
         "measured_on": found.measured_on,
         "rig": f"{found.rig.title}. {found.rig.note}".strip(),
@@ -119,6 +120,7 @@ def _page(about: dict[str, Any], verification: Verification) -> Any:
     sitting, focus = verification.found.sitting, about["focus"]
     left_out = [f"place {row.place}" for row in verification.found.rows if row.failures]
     sentences = (
+        about["verdict"],
         f"Measured on {about['measured_on']} with {about['rig']}",
         f"Noise of the sensor: {about['noise_m_per_s2']:.2g} m/s² RMS.",
         *(f"{name.capitalize()}: {getattr(sitting, name) or 'not noted'}." for name in _NOTED),
@@ -131,7 +133,7 @@ def _page(about: dict[str, Any], verification: Verification) -> Any:
         f"those of {', '.join(focus['other_people'])}.",
         f"Levels are {_LEVELS}. Away from the target the mean of other people is predicted, and "
         "the range between them.",
-        f"Partial limb: SHA-256 {about['sha256_of_partial_limb']}. "
+        f"SHA-256 of person.h5: {about['files']['person.h5']}. "
         f"{', '.join(f'{name} {version}' for name, version in about['versions'].items())}.",
     )
     text = "\n".join(fill(sentence, _LETTERS) for sentence in sentences)

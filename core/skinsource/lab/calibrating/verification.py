@@ -20,7 +20,7 @@ from skinsource.actuators.rigs import wired_channel
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.job import Progress, Stop, never, silent
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design, View
 from skinsource.design.signal_path import actuation_of_rig
 from skinsource.design.waveform import Waveform
@@ -33,6 +33,7 @@ from skinsource.lab.calibrating.station import Station
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.session import Mixer
 from skinsource.limbs.limb import Limb
+from skinsource.limbs.locations import output_name
 from skinsource.people.others import hand_outputs, people_of
 from skinsource.people.partial_file import digest_of
 from skinsource.people.partial_limb import PartialLimb
@@ -128,6 +129,26 @@ class Verification:
         good = good and all(check.measured_db <= check.high_db for check in quiet)
         return "verified" if good else "differs"
 
+    @property
+    def words(self) -> str:
+        """What was found, and how the louder quiet place compares with target and single input."""
+        if self.next_output is not None:
+            return "Not verified."
+        at = {(check.played, check.output): check.measured_db for check in self.checks}
+        strong, target = self.checks[0], self.places[0]
+        loudest = max(self.places[1:], key=lambda output: at["focus", output])
+        below_db = at["focus", target] - at["focus", loudest]
+        single_db = at["best single", target] - at["best single", loudest]
+        name = output_name(loudest, self.found.sitting.like).short_name
+        return (
+            f"{self.state.capitalize()}: {strong.measured_db:z.1f} dB measured at the target, "
+            f"{strong.predicted_db:z.1f} dB predicted. The louder of two quiet places, {name}, is "
+            f"{abs(below_db):.1f} dB {'below' if below_db >= 0.0 else 'above'} the target. It is "
+            f"{abs(below_db - single_db):.1f} dB "
+            f"{'quieter' if below_db >= single_db else 'louder'} there than the best single input "
+            "that is as strong at the target."
+        )
+
     def holds_for(self, partial: PartialLimb) -> bool:
         """Whether it is of this very measurement: after mounting anew it is not."""
         return digest_of(partial) == digest_of(self.found.partial)
@@ -141,6 +162,8 @@ def begin_verifying(
     *,
     level: float = 0.3,
     others: Sequence[str] | None = None,
+    progress: Progress = silent,
+    stop: Stop = never,
 ) -> Verification:
     """Return what is to be played, and where the sensor goes; nothing is played yet.
 
@@ -154,6 +177,9 @@ def begin_verifying(
         What the target does, and how strongly, as of `skinsource.inverse.Focus.design`.
     others
         Names of limbs of other people; None: all measured ones.
+    progress, stop
+        ``progress`` is called before the levels of each design; once ``stop`` returns True,
+        `Stopped` is raised.
 
     Raises
     ------
@@ -161,6 +187,8 @@ def begin_verifying(
         The waveform has nothing in the band, or others are too few.
     DatasetMissingError
         The measured dataset is needed, and not installed.
+    Stopped
+        ``stop`` returned True.
     """
     limb, at_hz = found.partial.limb, focus.frequencies_hz
     energy = np.square(np.abs(focus.row)).sum(axis=0)
@@ -176,11 +204,19 @@ def begin_verifying(
     }
     through = actuation_of_rig(found.rig, RegularisedInverse())
     designs = {
-        name: replace(each.design(waveform, level=level), actuation=through)
+        name: replace(
+            each.design(waveform, level=level),
+            title=f"{name.capitalize()} at output {focus.target} of {found.sitting.person}",
+            actuation=through,
+        )
         for name, each in solved.items()
     }
     people = people_of(others, 2)
-    expected = {name: levels(design, _LEVEL, limbs=people) for name, design in designs.items()}
+    expected: dict[Played, Range] = {}
+    for number, (name, design) in enumerate(designs.items()):
+        stop_if(stop)
+        progress(number, len(designs), f"Levels on other people: {name}")
+        expected[name] = levels(design, _LEVEL, limbs=people)
     quiet = [output for output in hand_outputs(limb) if output != focus.target]
     by_level = sorted(quiet, key=lambda output: -expected["focus"].mean_db[output - 1])
     return Verification(
