@@ -196,7 +196,8 @@ def test_the_panel_says_that_tracks_play_the_focus_while_they_do(bench, window):
 
 
 def test_start_and_focus_here_always_go_on_to_the_next_page(bench):
-    for button, from_page, to_page in [("start", MOUNTING, SWEEPS), ("focus", SWEEPS, FOCUS)] * 2:
+    twice = [("start", MOUNTING, SWEEPS)] * 2 + [("focus", SWEEPS, FOCUS)] * 2
+    for button, from_page, to_page in twice:
         bench.panel.steps[from_page].click()
         bench.press(button)
         assert [step.isChecked() for step in bench.panel.steps.values()].index(True) == to_page
