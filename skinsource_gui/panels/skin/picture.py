@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from PySide6 import QtGui
-from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
+from PySide6.QtCore import QRectF, QSizeF, Qt
 
 from skinsource.design.design import Design
 from skinsource.design.labels import limb_label
@@ -76,6 +76,8 @@ def paint_picture(
     seen
         What part of the map; all of it unless given.
     """
+    if content.hatched:
+        heading = replace(heading, details=f"{heading.details} · {HATCHED}")
     painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
     page = QRectF(0, 0, size.width(), size.height())
     painter.fillRect(page, QtGui.QColor(theme.base))
@@ -87,9 +89,6 @@ def paint_picture(
     font = tabular(font)
     line = QtGui.QFontMetricsF(font).height()
     inner = page.adjusted(line, 0.6 * line, -line, -line)
-    painter.setFont(small_font(font))
-    if _is_hatched(content, inner, QtGui.QFontMetricsF(painter.font()), visible):
-        heading = replace(heading, details=f"{heading.details} · {HATCHED}")
     inner.setTop(_paint_heading(painter, inner, heading, font, theme) + 0.4 * line)
     painter.setFont(small_font(font))
     scale_px = scale_row_px(painter.fontMetrics().height())
@@ -101,18 +100,6 @@ def paint_picture(
     paint_scale_row(painter, below, scale_of(content), theme)
     painter.setFont(font)
     paint_map_texts(painter, content, room, theme)
-
-
-def _is_hatched(
-    content: MapContent, room: QRectF, metrics: QtGui.QFontMetricsF, visible: VisiblePart
-) -> bool:
-    """Return whether outputs in sight are hatched."""
-    if content.limb_map is None:
-        return False
-    frame = visible.frame_in(content.limb_map, room, metrics)
-    points = map_layout(content.limb_map, frame, room, metrics).points
-    places = (points[number - 1] for number in content.hatched if number <= len(points))
-    return any(room.contains(QPointF(*place)) for place in places)
 
 
 def heading_font(font: QtGui.QFont, text: str, area: QRectF) -> QtGui.QFont:

@@ -163,7 +163,7 @@ def test_a_set_names_the_files_that_the_equaliser_weakens(tmp_path, capsys):
     assert main([*call, "--vary", "frequency_hz = [50, 200]", "--match-output", "29"]) == 0
     first, second = (folder / row["file"] for row in table_in(folder))
     loses = json.loads(first.with_name(f"{first.name}.json").read_text(encoding="utf-8"))["loses"]
-    assert "at 50 Hz the skin" in loses
+    assert "loses most at place 7, at 50 Hz" in loses
     said = capsys.readouterr().out
     assert f"{first.name}: {loses}" in said
     assert f"{second.name}: " not in said

@@ -43,8 +43,9 @@ _TOLERANCE_DB = 1e-6
 #: What may be made late and kept, in objects: pages, menus, rows of a list, and two large panels,
 #: as Output, which has 210, and Library; once all are made, more deeds add nothing.
 KEPT_LATE = 400
-#: Threads that may be made late and kept: what plays has one, and what reads responses of a rig.
-THREADS_LATE = 2
+#: Threads that may be made late and kept: what plays has one, what reads responses of a rig, and
+#: jobs that are quick have one beside long ones.
+THREADS_LATE = 3
 
 
 @dataclass(slots=True)

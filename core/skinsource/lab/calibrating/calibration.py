@@ -51,7 +51,7 @@ SPEED = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Sitting:
+class Sitting(fields.CheckedModel):
     """A person at a station, and what is to be measured.
 
     Attributes

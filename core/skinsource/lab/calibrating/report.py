@@ -49,6 +49,21 @@ def save_report(folder: FilePath, verification: Verification) -> dict[str, Any]:
     ------
     StorageError
         The folder cannot be written, or the disk is full.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> from skinsource.lab.calibrating import Sitting, StandIn, begin_verifying
+    >>> from skinsource.lab.calibrating import calibrate, save_report
+    >>> station = StandIn(inputs=(7, 12))
+    >>> found = calibrate(Sitting(person="p07", like=station.like, output=9), station)
+    >>> focus = ss.people.focus(found.partial, 9, others=station.others)
+    >>> tone = ss.waveforms.Tone()
+    >>> plan = begin_verifying(found, focus, tone, others=station.others)
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     print(save_report(folder, plan)["state"])
+    not verified
     """
     place = Path(folder)
     make_folder(place)

@@ -189,6 +189,18 @@ def begin_verifying(
         The measured dataset is needed, and not installed.
     Stopped
         ``stop`` returned True.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> from skinsource.lab.calibrating import Sitting, StandIn, begin_verifying, calibrate
+    >>> station = StandIn(inputs=(7, 12))
+    >>> found = calibrate(Sitting(person="p07", like=station.like, output=9), station)
+    >>> focus = ss.people.focus(found.partial, 9, others=station.others)
+    >>> tone = ss.waveforms.Tone()
+    >>> plan = begin_verifying(found, focus, tone, others=station.others)
+    >>> print(plan.next_output, plan.state)
+    9 not verified
     """
     limb, at_hz = found.partial.limb, focus.frequencies_hz
     energy = np.square(np.abs(focus.row)).sum(axis=0)
@@ -250,6 +262,19 @@ def verify_next(
         A limit of the rig would be passed; the device refuses, loses samples, or is gone.
     Stopped
         ``stop`` returned True.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> from skinsource.lab.calibrating import Sitting, StandIn, begin_verifying
+    >>> from skinsource.lab.calibrating import calibrate, verify_next
+    >>> station = StandIn(inputs=(7, 12))
+    >>> found = calibrate(Sitting(person="p07", like=station.like, output=9), station)
+    >>> focus = ss.people.focus(found.partial, 9, others=station.others)
+    >>> tone = ss.waveforms.Tone()
+    >>> plan = begin_verifying(found, focus, tone, others=station.others)
+    >>> print([check.played for check in verify_next(plan, station).checks])
+    ['focus', 'best single', 'time reversal']
     """
     output = verification.places[len(verification.checks) // len(verification.designs)]
     checks = []
