@@ -161,7 +161,7 @@ def reproduce(
     trace = np.zeros(at_hz.size)
     trace[driven] = loading(gram)
     load = checked_beta(beta) * trace + _OUTSIDE * trace[driven].mean() * outside
-    normal = load[:, None, None] * np.eye(gram.shape[-1], dtype=complex)
+    normal = np.eye(gram.shape[-1], dtype=np.complex128) * load[:, None, None]
     normal[driven] += gram
     b = np.zeros(normal.shape[:2], complex)
     spectra = scipy.fft.rfft(delayed)[:, driven]
