@@ -120,7 +120,7 @@ class Kernel:
     def at(self, position: Indices) -> Floats:
         """Return the filter ``position`` samples off its middle; the sum of a phase is nearly 1."""
         within = np.clip(1.0 - (position / self.half_length) ** 2, 0.0, None)
-        taper = scipy.special.i0(_BETA * np.sqrt(within)) / scipy.special.i0(_BETA)
+        taper = np.i0(_BETA * np.sqrt(within)) / np.i0(_BETA)
         ideal = np.sinc(position / self._slower) * min(1.0, self.up / self.down)
         return np.where(np.abs(position) <= self.half_length, ideal * taper, 0.0)
 
