@@ -10,7 +10,9 @@ from skinsource import __version__
 from skinsource.cli import doctor_command
 from skinsource.cli.command_line import main
 
-EXTRAS = tomllib.loads(Path("pyproject.toml").read_text())["project"]["optional-dependencies"]
+EXTRAS = tomllib.loads((Path(__file__).resolve().parents[2] / "pyproject.toml").read_text())[
+    "project"
+]["optional-dependencies"]
 
 
 @pytest.fixture
