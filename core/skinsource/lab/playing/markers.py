@@ -37,8 +37,8 @@ class Markers:
     --------
     >>> from skinsource.lab.playing.markers import marker_text
     >>> text = marker_text(code=5, first_sample_s=1.25, latency_s=0.02, loopback_s=None)
-    >>> print(text[:10], text[-23:])
-    {"code": 5 "onset": "estimated"}
+    >>> print(text[text.index("onset") :])
+    onset": "estimated"}
     """
 
     def __init__(self, name: str = "SkinSource", *, drive: bool = False) -> None:

@@ -1,11 +1,13 @@
 """A loopback: clicks from an output into an input, through a cable, tell delay and jitter."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np
 
 from skinsource.base.arguments import checking, integer
-from skinsource.base.conventions import Floats
+from skinsource.base.conventions import Floats, Indices
 from skinsource.base.errors import PlaybackError
 from skinsource.base.job import Stop, never
 from skinsource.lab.playing.devices import Output, check_outputs, device_of, devices
@@ -96,7 +98,7 @@ def loopback(
     card = Card(device=played_on, inputs=inputs, n_inputs=source, latency_s=asked.latency_s)
     step = round(_BETWEEN_S * rate_hz)
     row = np.zeros((number + 2) * step)
-    clicks = step * np.arange(1, number + 1)
+    clicks: Indices = step * np.arange(1, number + 1)
     for at in clicks:
         row[at : at + round(_CLICK_S * rate_hz)] = _AMPLITUDE
     mix = mix_of(row[np.newaxis], rate_hz, outputs=[output], titles=["clicks"], n_outputs=output)
@@ -110,7 +112,7 @@ def loopback(
     return Loopback(round_trips_s=round_trips_s, behind_s=behind_s)
 
 
-def lags(recorded: Floats, clicks: Floats) -> Floats:
+def lags(recorded: Floats, clicks: Indices) -> Floats:
     """Return how many samples after each click it is seen, (n_clicks,); NaN where it is not.
 
     Parameters
