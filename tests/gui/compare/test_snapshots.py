@@ -264,18 +264,6 @@ def test_maps_show_snapshots_as_loud_as_they_are_shown_and_how_they_differ(windo
     np.testing.assert_allclose(panel.maps.content.cells[0].values_db, expected, atol=1e-9)
 
 
-def test_equal_snapshots_are_said_to_be_equal(window, panel, settle):
-    choose(window, shown="difference")
-    window.do("store_snapshot_1")
-    edit(window, 2.0)
-    window.do("store_snapshot_2")
-    for matched in (False, True):
-        settle()
-        [cell] = panel.maps.content.cells
-        assert (cell.heading == "1 equals 2") == matched
-        window.do("match_levels")
-
-
 def test_what_is_silent_has_no_level_that_is_matched_compared_or_averaged(window, panel, settle):
     window.do("match_levels")
     window.document.edit("a", Design(limb="synthetic-1"))
