@@ -327,9 +327,7 @@ def test_panels_that_a_user_moved_stay_where_they_are(window, settle, qtbot):
 
 
 @pytest.mark.parametrize(("name", "panel"), [(ANALYSE, "skin"), (PRESENT, "stage")])
-def test_another_workspace_leaves_the_keyboard_with_the_panels(window, qtbot, settle, name, panel):
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+def test_another_workspace_leaves_the_keyboard_with_the_panels(window, active, settle, name, panel):
     window.panel("skin").setFocus()
     window.do(name)
     settle()

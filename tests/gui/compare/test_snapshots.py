@@ -34,10 +34,8 @@ from tests.gui.compare.compare_bench import (
 
 
 @pytest.fixture
-def panel(window, settle, qtbot):
+def panel(window, active, settle):
     """Compare, in front."""
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
     window.docks["compare"].bring_forward()
     settle()
     return window.panel("compare")
@@ -47,9 +45,7 @@ def names_of(requests):
     return [request.slot.name for request in requests]
 
 
-def test_keys_store_show_and_toggle_and_arrangements_have_moved(window, qtbot, settle):
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+def test_keys_store_show_and_toggle_and_arrangements_have_moved(window, active, settle):
     first = window.document.design
     QTest.keyClick(window, KEY.Key_1, CTRL | SHIFT)
     edit(window, 2.0)
