@@ -1,9 +1,14 @@
-"""Pages of the project: their links and files are there, and each of them is reached."""
+"""Pages of the project: links and files are there; README and examples say what is true."""
 
 import re
+import runpy
 from pathlib import Path
 
+import numpy as np
 import pytest
+
+import skinsource as ss
+from skinsource.cli.command_line import main
 
 ROOT = Path(__file__).resolve().parents[2]
 BEGIN = ("README.md", "CONTRIBUTING.md")
@@ -53,3 +58,48 @@ def test_every_page_is_reached_from_the_readme_or_from_what_contributors_read():
             reached.add(page)
             ahead += links_of(page)
     assert {page.name for page in set(PAGES) - reached} == {"CHANGELOG.md"}
+
+
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_both_ways_in_the_readme_give_the_same_levels():
+    (script,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+    values: dict = {}
+    exec(compile(script, "README.md", "exec"), values)  # noqa: S102  our own page
+    assert values["acceleration"].shape == (72, 3, 260 + 521)
+    assert values["heatmap"].ndim == 2
+    np.testing.assert_allclose(values["levels"], values["levels_db"], rtol=0, atol=1e-12)
+
+
+def test_the_export_in_the_readme_is_written(tmp_path, monkeypatch, capsys):
+    (call,) = re.findall(r"`skinsource (export scene.*?)`", README, re.DOTALL)
+    monkeypatch.chdir(tmp_path)
+    ss.save_design("scene.skinsource", ss.Design(limb="synthetic-1", inputs=(ss.track(7),)))
+    assert main(call.split()) == 0
+    path, *lines = capsys.readouterr().out.splitlines()
+    assert path == "drive.wav"
+    # What has to be known of it stands below, indented.
+    assert lines
+    assert all(line.startswith("  ") for line in lines)
+    assert (tmp_path / "drive.wav.json").exists()
+
+
+def test_make_has_the_targets_that_the_readme_names():
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    for target in re.findall(r"^make (\w+)", README, re.MULTILINE):
+        assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
+
+
+def test_the_extras_that_the_readme_installs_exist():
+    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    for extras in re.findall(r'"\.\[(.*?)\]"', README):
+        for extra in extras.split(","):
+            assert re.search(rf"^{extra} = \[", project, re.MULTILINE), extra
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "examples").glob("*.py")), ids=lambda p: p.stem)
+def test_the_examples_run_on_the_built_in_limb(path, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    runpy.run_path(str(path), run_name="__main__")
+    assert "synthetic-1" in capsys.readouterr().out

@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import skinsource as ss
-from skinsource import Design, Input, View, edits, track
+from skinsource import Design, Input, View, track
 from skinsource.base.conventions import BAND_HZ
 from skinsource.base.errors import FileFormatError, InvalidInputError, StorageError
 from skinsource.design.clips import MAX_EFFECTS, Clip, Fragment, Lane
@@ -272,14 +272,3 @@ def test_all_but_those_that_say_so_lie_within_the_measured_band():
         for preset in SHIPPED
     }
     assert {name for name, share in outside.items() if share > 0.2} == {"Tap", "Tick train"}
-
-
-@every
-def test_each_is_placed_at_once(preset):
-    empty = Design(limb="synthetic-1")
-    outcome = edits.place_fragment(empty, View(), preset.fragment, preset.name, 0.5)
-    assert outcome.label == f"Place {preset.name}"
-    placed = outcome.design
-    assert len(placed.clips) == sum(len(lane.clips) for lane in preset.fragment.lanes)
-    assert min(clip.onset_s for clip in placed.clips) == 0.5
-    assert set(outcome.view.selected_clips) == {clip.id for clip in placed.clips}

@@ -1,4 +1,4 @@
-"""Inputs that cannot be played: an error in scripts and files, left out where it is asked for."""
+"""Inputs that cannot be played: an error in scripts and files, left out or mended in the studio."""
 
 from dataclasses import replace
 
@@ -9,6 +9,8 @@ import skinsource as ss
 from skinsource import Actuation, ActuatorAt, Clip, Design, Input, View, track
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.edits.setup import mends
+from skinsource.design.presets.presets import read_preset, shipped_folder
 from skinsource.design.waveforms import Chirplet, Tap, Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.tables import export_levels
@@ -88,3 +90,38 @@ def test_of_clips_that_cannot_be_sampled_there_are_no_pictures():
     assert good.size
     assert bad is None
     assert np.isfinite(values["output_levels_db"]).all()
+
+
+LAST = ["Mute it", "Predict without the actuator"]
+
+
+def preset(name):
+    lanes = read_preset(shipped_folder() / f"{name}.skinpreset").fragment.lanes
+    return ss.Input(location=6, clips=lanes[0].clips)
+
+
+@pytest.mark.parametrize(
+    ("track", "labels"),
+    [
+        (ss.track(6, ss.waveforms.Tap()), ["Use a centred tap", *LAST]),
+        (preset("tick-train"), ["Limit to the band", *LAST]),
+        (preset("heartbeat"), ["Fade in and out", *LAST]),
+        (preset("click"), ["Balance the samples", *LAST]),
+        (ss.track(6, ss.waveforms.Chirplet(600.0)), ["Mute it"]),
+        (ss.track(25), ["Mute it"]),
+    ],
+)
+def test_each_mend_lets_the_design_be_predicted(track, labels):
+    tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    design = ss.Design(limb="synthetic-1", inputs=(tone, track), actuation=EQUALISED)
+    found = mends(design, View(), 2)
+    assert [edit.label for edit in found] == labels
+    for edit in found:
+        assert edit.design.inputs[0] == design.inputs[0]
+        assert ss.evaluate(edit.design, "unplayable_inputs")["unplayable_inputs"] == ()
+
+
+def test_where_no_actuator_is_the_clips_stay():
+    one_place = ss.Actuation(actuators=(ss.ActuatorAt(place=7, model=COIL.model),))
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(8),), actuation=one_place)
+    assert [edit.label for edit in mends(design, View(), 1)] == LAST

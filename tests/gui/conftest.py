@@ -130,6 +130,14 @@ def window(open_window):
 
 
 @pytest.fixture
+def active(window, qtbot):
+    """The studio, with the keyboard."""
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    return window
+
+
+@pytest.fixture
 def make_window(qtbot, preferences):
     """Open studio windows of a test's own; close them, and see that no thread is left."""
     opened = []

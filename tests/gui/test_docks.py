@@ -13,13 +13,6 @@ from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
 from tests.gui.menus import close_menus, lines_at
 
 
-@pytest.fixture
-def active(window, qtbot):
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
-    return window
-
-
 def with_keyboard(window):
     """The name of the panel that has the keyboard."""
     focused = QApplication.focusWidget()

@@ -365,10 +365,8 @@ OF_TEXTS = {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+Backspace", "Ctrl+X", *OF_
 
 
 @pytest.fixture
-def field(window, qtbot):
+def field(window, active):
     """The field of the frequency, with the keyboard."""
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
     field = window.panel("inspector").findChild(QLineEdit, "frequency_hz_field")
     field.setFocus()
     return field

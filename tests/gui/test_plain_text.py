@@ -12,6 +12,7 @@ from skinsource.design.design import Snapshot
 from skinsource.design.presets.presets import Preset, save_preset, users_folder
 from skinsource.design.waveforms.samples import Recording
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
+from tests.gui.shared_window import rest
 
 HOSTILE = '<img src="x.png">'
 CLIP = Clip(label=HOSTILE, waveform=Recording(name=HOSTILE))
@@ -101,9 +102,7 @@ def test_in_every_panel_and_on_every_page(window, qtbot):
     for name, dock in window.docks.items():
         dock.bring_forward()
         qtbot.waitUntil(lambda name=name: window.panel(name).isVisible())
-        window.catch_up()
-        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-        QApplication.processEvents()
+        rest(window)
         count += shown_letter_by_letter()
     assert count > 0
     for action in PAGES:

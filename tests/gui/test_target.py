@@ -97,13 +97,6 @@ def test_brushes_paint_strong_quiet_and_free(at_target):
     assert (content.strong, content.quiet) == ((30,), (19,))
 
 
-def test_without_a_brush_the_map_selects_outputs(at_target):
-    window = at_target("select")
-    stroke(window, 30)
-    assert target_of(window) is None
-    assert window.document.view.outputs == (30,)
-
-
 def test_t_takes_the_strong_brush_and_puts_it_away(at_target):
     window = at_target("select")
     window.do("aim")
@@ -114,7 +107,7 @@ def test_t_takes_the_strong_brush_and_puts_it_away(at_target):
     assert brush_of(window.document.view) == ""
 
 
-@pytest.mark.parametrize("panel", ["hand", "timeline", TARGET])
+@pytest.mark.parametrize("panel", ["hand", "skin", "timeline", TARGET])
 def test_esc_puts_the_brush_away_wherever_the_keyboard_is(at_target, panel):
     window = at_target()
     window.activateWindow()
@@ -123,15 +116,13 @@ def test_esc_puts_the_brush_away_wherever_the_keyboard_is(at_target, panel):
     assert brush_of(window.document.view) == ""
 
 
-def test_the_keyboard_paints_too_and_esc_puts_the_brush_away(at_target):
+def test_the_keyboard_paints_too(at_target):
     window = at_target()
     skin = window.panel("skin").map
     skin.picker.cursor_output = 30
     QTest.keyClick(skin, Qt.Key.Key_Return)
     window.settle_target()
     assert target_of(window).strong == (30,)
-    QTest.keyClick(skin, Qt.Key.Key_Escape)
-    assert brush_of(window.document.view) == ""
 
 
 def test_the_table_says_what_three_ways_do(at_target):

@@ -98,9 +98,7 @@ def test_the_figures_of_the_window_hold(open_window, screen):
     assert not missed, f"{missed}: {figures}"
 
 
-def test_a_number_that_is_being_typed_is_taken_before_whatever_is_done(window, qtbot, answers):
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+def test_a_number_that_is_being_typed_is_taken_before_whatever_is_done(window, active, answers):
     field = window.panel("inspector").findChild(NumberField, "amplitude_field")
     field.setFocus()
     QTest.keyClicks(field, "3")

@@ -298,15 +298,10 @@ def present(window, settle, qtbot):
     settle()
 
 
-def test_a_line_that_was_dragged_stays_where_it_is(window, settle, qtbot):
+def test_a_line_that_was_dragged_stays_where_it_is_after_presenting(window, settle, qtbot):
     settle()
     drag_line(window, 60)
     wide = place(window, "skin").width()
-    window.do(ANALYSE)
-    settle()
-    window.do(COMPOSE)
-    settle()
-    assert place(window, "skin").width() == pytest.approx(wide, abs=3)
     present(window, settle, qtbot)
     assert place(window, "skin").width() == pytest.approx(wide, abs=3)
 
@@ -332,9 +327,7 @@ def test_panels_that_a_user_moved_stay_where_they_are(window, settle, qtbot):
 
 
 @pytest.mark.parametrize(("name", "panel"), [(ANALYSE, "skin"), (PRESENT, "stage")])
-def test_another_workspace_leaves_the_keyboard_with_the_panels(window, qtbot, settle, name, panel):
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+def test_another_workspace_leaves_the_keyboard_with_the_panels(window, active, settle, name, panel):
     window.panel("skin").setFocus()
     window.do(name)
     settle()

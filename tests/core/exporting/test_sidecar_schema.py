@@ -101,6 +101,8 @@ def test_each_sidecar_of_each_format_is_as_the_schema_says(tmp_path, name):
         for path in done.files:
             about = json.loads((path.parent / f"{path.name}.json").read_text(encoding="utf-8"))
             VALIDATOR.validate(about)
+            for each in about["inputs"]:
+                assert each["gain_curve"] == {7: [], 12: [[0.0, 0.5], [0.3, 1.0]]}[each["place"]]
             assert about["equalised"] == done.equalised
             assert (about["equaliser"] is None) == (equaliser is None)
             assert done.equalised.startswith("Not equalised" if equaliser is None else "Equalised")

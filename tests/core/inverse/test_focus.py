@@ -1,4 +1,4 @@
-"""Focus: the drives of least quiet energy and effort, and its special cases."""
+"""Focus: least quiet energy and effort, special cases, baselines, and the loudest quiet output."""
 
 import numpy as np
 import pytest
@@ -74,24 +74,6 @@ def test_it_is_pressure_matching_and_loaded_contrast_control(limb, rows):
     assert parallel(drives, best) < 1e-12
 
 
-def test_no_small_step_is_better(limb, rows):
-    row, quiet = rows
-    gram = gram_of(quiet)
-    load = 0.3 * loading(gram)
-    drives = ss.inverse.focus(limb, TARGET, frequencies_hz=AT_HZ).drives[:, 5:]
-
-    def cost(q):
-        q = q / (row * q).sum(axis=1, keepdims=True)
-        return np.einsum("fi,fij,fj->f", q.conj(), gram, q).real + load * np.sum(
-            np.abs(q) ** 2, axis=1
-        )
-
-    rng = np.random.default_rng(1)
-    for _ in range(50):
-        step = rng.normal(size=drives.shape) + 1j * rng.normal(size=drives.shape)
-        assert (cost(drives + 1e-3 * np.abs(drives).max() * step) > cost(drives)).all()
-
-
 def test_more_beta_needs_less_effort_and_gives_less_contrast(limb):
     found = [
         ss.inverse.focus(limb, TARGET, beta=beta, frequencies_hz=AT_HZ)
@@ -99,12 +81,6 @@ def test_more_beta_needs_less_effort_and_gives_less_contrast(limb):
     ]
     assert (np.diff([each.effort_db for each in found], axis=0) <= 1e-9).all()
     assert (np.diff([each.mean_contrast_db for each in found], axis=0) <= 1e-9).all()
-
-
-@pytest.mark.parametrize("most_db", [0.1, 0.3])
-def test_a_bound_of_effort_is_spent_in_full(limb, most_db):
-    focus = ss.inverse.focus(limb, TARGET, effort_db=most_db, frequencies_hz=AT_HZ)
-    np.testing.assert_allclose(focus.effort_db, most_db, atol=1e-9)
 
 
 def test_a_bound_that_nothing_reaches_leaves_the_least_beta(limb):
@@ -129,29 +105,6 @@ def test_contact_is_that_of_the_probe_that_the_drives_move(limb):
     pulse = 22.9e-3 * 1300.0 * np.sinc(1e-3 * np.array(AT_HZ))
     contact = pulse * np.abs(focus.drives).max(axis=1)
     np.testing.assert_allclose(focus.contact_db, -20 * np.log10(contact), atol=1e-9)
-
-
-@pytest.mark.parametrize("axes", ["z", "xyz"])
-def test_unseen_contrast_is_that_of_designs_without_each_output(limb, axes):
-    quiet = [3, 9, 14, 25]
-    focus = ss.inverse.focus(limb, TARGET, axes=axes, quiet=quiet, frequencies_hz=AT_HZ)
-    responses = responses_of(limb, axes=axes, frequencies_hz=AT_HZ)
-    load = 0.3 * loading(focus.gram)[:, None, None] * np.eye(15)
-    ratios = []
-    for output in quiet:
-        seen = [each for each in quiet if each != output]
-        x = np.linalg.solve(gram_of(responses.rows(seen)) + load, focus.row.conj()[..., None])
-        energy = energy_of(responses, x[..., 0])
-        ratios.append(energy[:, output - 1] / energy[:, TARGET - 1])
-    expected_db = -10 * np.log10(np.mean(ratios, axis=0))
-    np.testing.assert_allclose(focus.unseen_contrast_db, expected_db, atol=1e-9)
-
-
-def test_stronger_responses_need_less_drive(rows):
-    row, gram = rows[0], gram_of(rows[1])
-    drives, _ = loaded(row, gram)
-    louder, _ = loaded(1e3 * row, 1e6 * gram)
-    np.testing.assert_allclose(1e3 * louder, drives, rtol=1e-10)
 
 
 def test_the_phase_of_the_target_is_that_of_the_drives(rows):
@@ -181,19 +134,6 @@ def test_inputs_in_another_order_get_the_same_drives(limb):
     np.testing.assert_allclose(one.drives, other.drives, rtol=1e-9)
 
 
-def test_a_dead_input_is_as_one_removed_and_the_same_one_twice_shares(rows):
-    row, quiet = rows
-    # The same λ: the mean diagonal falls with the number of inputs.
-    alone, _ = loaded(row, gram_of(quiet), beta=0.3)
-    with_dead = [np.concatenate([each, 0.0 * each[..., :1]], axis=-1) for each in rows]
-    dead, _ = loaded(with_dead[0], gram_of(with_dead[1]), beta=0.3 * 16 / 15)
-    np.testing.assert_allclose(dead[:, :15], alone, rtol=1e-9)
-    assert (dead[:, 15] == 0.0).all()
-    twice = [np.concatenate([each, each[..., :1]], axis=-1) for each in rows]
-    shared, _ = loaded(twice[0], gram_of(twice[1]), beta=0.01)
-    np.testing.assert_allclose(shared[:, 0], shared[:, 15], rtol=1e-9)
-
-
 def test_a_single_input_has_only_its_level_free(limb, responses):
     focus = ss.inverse.focus(limb, TARGET, inputs=[7], frequencies_hz=AT_HZ)
     np.testing.assert_allclose(focus.drives[:, 6] * focus.row[:, 0], 1.0, rtol=1e-12)
@@ -209,11 +149,6 @@ def test_one_quiet_place_costs_almost_nothing(limb):
 def test_nothing_quiet_is_time_reversal(rows):
     drives, _ = loaded(rows[0], np.zeros((3, 15, 15)))
     assert parallel(drives, rows[0].conj()) < 1e-14
-
-
-def test_a_row_that_is_0_is_refused():
-    with pytest.raises(InvalidInputError, match="does not respond"):
-        loaded(np.zeros((1, 2)), np.eye(2)[None])
 
 
 def noisy_limb(limb_of, gain):
@@ -263,3 +198,82 @@ def test_what_is_asked_of_nobody_is_asked_of_all_bins_from_25_to_400_hz(limb):
     assert focus.frequencies_hz[0] == 20 * 1300 / 1024
     assert focus.frequencies_hz[-1] == 315 * 1300 / 1024
     assert repr(focus) == "<Focus on output 30 of synthetic-1, 25.39 to 399.9 Hz>"
+
+
+def test_time_reversal_needs_the_least_effort_and_knows_no_quiet_output(limb):
+    found = ss.inverse.time_reversal(limb, TARGET, frequencies_hz=AT_HZ)
+    np.testing.assert_allclose(found.effort_db, 0.0, atol=1e-12)
+    np.testing.assert_allclose(
+        found.used_drives, found.row.conj() / np.linalg.norm(found.row, axis=1)[:, None] ** 2
+    )
+    np.testing.assert_allclose(found.unseen_contrast_db, found.mean_contrast_db)
+    assert not found.gram.any()
+
+
+def test_a_dead_input_is_never_the_best(limb, limb_of):
+    deaf = limb_of(
+        lambda place: limb.response_to(place) * (place > 3), name="of-a-lab", synthetic=True
+    )
+    places = [1, 2, 3, 7]
+    found = ss.inverse.best_single(deaf, TARGET, inputs=places, frequencies_hz=AT_HZ)
+    assert found.inputs == (7,)
+
+
+def test_the_best_single_input_is_the_one_of_most_contrast(limb):
+    found = ss.inverse.best_single(limb, TARGET, frequencies_hz=[100.0])
+    singles = [
+        ss.inverse.focus(limb, TARGET, inputs=[place], frequencies_hz=[100.0])
+        for place in range(6, 21)
+    ]
+    assert found.mean_contrast_db == max(each.mean_contrast_db for each in singles)
+    np.testing.assert_allclose(found.unseen_contrast_db, found.mean_contrast_db)
+    assert np.count_nonzero(found.drives) == 1
+
+
+STRONG = {28: 1.0, 29: 1.0, 19: 1.0, 20: 1.0}
+QUIET = {output: 1.0 for output in range(1, 43) if output not in STRONG}
+
+
+def test_several_outputs_are_about_equally_strong_and_the_first_is_1(limb):
+    painted = ss.inverse.paint(limb, STRONG, QUIET, frequencies_hz=AT_HZ)
+    energy = energy_of(responses_of(limb, frequencies_hz=AT_HZ), painted.used_drives)
+    strong = energy[:, np.array([*STRONG]) - 1]
+    np.testing.assert_allclose(strong[:, 0], 1.0, rtol=1e-12)
+    spread_db = 10 * np.log10(strong.max(axis=1) / strong.min(axis=1))
+    np.testing.assert_allclose(painted.spread_db, spread_db)
+    assert (painted.spread_db < 0.3).all()
+    quiet = energy[:, np.array([*QUIET]) - 1]
+    np.testing.assert_allclose(
+        painted.mean_contrast_db, 10 * np.log10(strong.mean(1) / quiet.mean(1))
+    )
+
+
+def test_painting_one_output_is_a_focus(limb):
+    quiet = {output: 1.0 for output in range(1, 43) if output != TARGET}
+    painted = ss.inverse.paint(limb, {TARGET: 1.0}, quiet, beta=0.3, frequencies_hz=AT_HZ)
+    focus = ss.inverse.focus(limb, TARGET, frequencies_hz=AT_HZ)
+    np.testing.assert_allclose(painted.drives, focus.drives, atol=1e-9)
+
+
+def test_a_heavy_quiet_output_is_quieter(limb):
+    def at_9(weight):
+        painted = ss.inverse.paint(limb, STRONG, QUIET | {9: weight}, frequencies_hz=AT_HZ)
+        energy = energy_of(responses_of(limb, frequencies_hz=AT_HZ), painted.used_drives)
+        return energy[:, 8] / energy[:, np.array([*STRONG]) - 1].mean(axis=1)
+
+    assert (at_9(30.0) < at_9(1.0)).all()
+
+
+@pytest.mark.parametrize(
+    ("strong", "quiet", "match"),
+    [
+        ({}, {9: 1.0}, "No output is to be strong"),
+        ({9: 1.0}, {}, "No output is to be quiet"),
+        ({9: 1.0}, {9: 1.0}, "strong and quiet"),
+        ({9: 0.0}, {8: 1.0}, "weight is 0"),
+        ({73: 1.0}, {8: 1.0}, "from 1 to 72"),
+    ],
+)
+def test_what_cannot_be_painted_is_refused(limb, strong, quiet, match):
+    with pytest.raises(InvalidInputError, match=match):
+        ss.inverse.paint(limb, strong, quiet)

@@ -43,20 +43,9 @@ def cost_of(drives, dense, wanted, load):
     return np.square(dense @ drives.ravel() - wanted).sum() + load * np.square(drives).sum()
 
 
-def test_the_exact_drives_are_those_of_the_dense_matrix(problem):
-    cost, b, least, _ = problem
-    np.testing.assert_allclose(cost.exact(b), least, atol=1e-8 * np.abs(least).max())
-
-
 def test_the_fast_drives_cost_little_more(problem):
     cost, b, least, dense = problem
     assert cost_of(least, *dense) <= cost_of(cost.fast(b), *dense) < 1.1 * cost_of(least, *dense)
-
-
-def test_the_least_cost_is_what_is_wanted_less_what_is_reached(problem):
-    cost, b, least, dense = problem
-    expected = np.square(dense[1]).sum() - np.vdot(cost.cut(b), least)
-    np.testing.assert_allclose(cost_of(least, *dense), expected, rtol=1e-10)
 
 
 def test_what_is_wanted_later_is_driven_later(problem):
@@ -73,26 +62,6 @@ def test_a_loose_peak_changes_nothing(problem):
     peak = 1.01 * np.abs(least).max()
     found = cost.within(peak, cost.cut(b), np.zeros_like(least))
     np.testing.assert_allclose(found, least, atol=1e-5 * peak)
-
-
-def test_within_a_peak_no_drive_can_be_changed_for_the_better(problem):
-    cost, b, least, _ = problem
-    peak = 0.5 * np.abs(least).max()
-    found = cost.within(peak, cost.cut(b), least)
-    assert np.abs(found).max() <= peak
-    uphill = cost.applied(found) - cost.cut(b)
-    largest = np.abs(cost.cut(b)).max()
-    at_peak = np.abs(found) == peak
-    assert np.count_nonzero(at_peak) > 5
-    assert np.abs(uphill[~at_peak]).max() < 1e-5 * largest
-    assert (uphill[at_peak] * np.sign(found[at_peak]) <= 0.0).all()
-
-
-def test_it_is_better_than_clipped_drives(problem):
-    cost, b, least, dense = problem
-    peak = 0.5 * np.abs(least).max()
-    found = cost.within(peak, cost.cut(b), least)
-    assert cost_of(found, *dense) < 0.95 * cost_of(np.clip(least, -peak, peak), *dense)
 
 
 def response(limb, found, output, axis=2):
@@ -117,22 +86,6 @@ def test_the_event_lies_in_the_middle_behind_the_delay_of_the_responses(limb):
     found = ss.inverse.reproduce(limb, {TARGET: BURST}, **FEW)
     assert round(found.delay_s * 1300.0, 9) == 67 + (104 - 65) // 2
     assert found.waveforms.shape == (20, 104)
-
-
-def test_wanted_waveforms_add_up_and_scale(limb):
-    other = {28: 0.5 * BURST[::-1]}
-    drives = {
-        name: ss.inverse.reproduce(limb, wanted, **FEW).waveforms
-        for name, wanted in {
-            "both": {TARGET: BURST} | other,
-            "one": {TARGET: BURST, 28: 0.0 * BURST},
-            "other": {TARGET: 0.0 * BURST} | other,
-            "twice": {TARGET: 2.0 * BURST, 28: BURST[::-1]},
-        }.items()
-    }
-    size = np.abs(drives["both"]).max()
-    np.testing.assert_allclose(drives["both"], drives["one"] + drives["other"], atol=1e-6 * size)
-    np.testing.assert_allclose(drives["twice"], 2.0 * drives["both"], atol=1e-6 * size)
 
 
 def test_silence_needs_no_drive(limb):

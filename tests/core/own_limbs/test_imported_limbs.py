@@ -198,8 +198,6 @@ def test_the_command_imports_lists_mirrors_exports_and_removes(user_data, tmp_pa
     assert own_limb_names() == ()
     assert main(["limb", "remove", "ours"]) == 1
     assert "no own limb is called 'ours'; there are none" in capsys.readouterr().err
-    assert main(["limb", "import", str(tmp_path / "again.h5"), "--name", "BAD"]) == 1
-    assert "expected small letters" in capsys.readouterr().err
 
 
 def test_options_of_the_command_go_before_what_the_file_says(user_data, tmp_path):

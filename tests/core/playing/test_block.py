@@ -54,18 +54,6 @@ def test_nothing_grows_while_it_plays():
     assert peak - before < 240 * 8 * 2
 
 
-def test_what_starts_behind_a_loop_plays_to_the_end_through_an_edit_as_well():
-    live = playing_bench.playing(
-        playing_bench.mix(playing_bench.tone(4000), loop=(1000, 2000)), at=3000
-    )
-    playing_bench.block(live, 500)
-    live.play(playing_bench.mix(playing_bench.tone(4000, amplitude=0.25), loop=(1000, 2000)))
-    playing_bench.block(live, 500)
-    assert (live.position, live.ending) == (4000 - playing_bench.FADE, None)
-    playing_bench.block(live, playing_bench.FADE)
-    assert live.ending.reason == "end"
-
-
 def test_a_sample_beyond_full_scale_is_not_played_and_its_output_is_named():
     rows = np.zeros((2, 1000))
     rows[0], rows[1, 600] = 0.5, 1.25

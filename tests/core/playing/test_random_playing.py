@@ -171,7 +171,7 @@ SHORT = [("hear", 3)] * 20
     [
         [*BEGIN, *SHORT, ("play", NOISE[1], LOOP, None), *SHORT, ("hear", 900)],
         [*BEGIN, ("hear", 10), ("play", NOISE[1], None, None), ("play", NOISE[0], LOOP, 7), *SHORT],
-        [("hear", FADE), ("play", NOISE[0], LOOP, LOOP[1]), ("hear", 400)],
+        [*BEGIN[:1], ("play", NOISE[0], LOOP, 600), *SHORT, ("play", NOISE[1], LOOP, None), *SHORT],
         [*BEGIN, ("hear", FADE + LOOP[1]), ("play", NOISE[1], LOOP, None), ("hear", 400)],
         [*BEGIN, ("hear", 900), ("play", NOISE[1], LOOP, None), ("hear", 400)],
         [*BEGIN, ("hear", 100), ("gain", 20.0), ("hear", 60), *SHORT],

@@ -19,6 +19,7 @@ from skinsource_gui.panels.analysis.windowed import (
 )
 from skinsource_gui.shell.appearance import LARGEST_TEXT
 from tests.gui.analysis.analysis_bench import analysis
+from tests.gui.shared_window import rest
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 
@@ -35,10 +36,6 @@ def panel(open_window):
 @pytest.fixture
 def studio(panel):
     return panel.window_of_test
-
-
-def settle(window, qtbot):
-    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
 
 
 def test_it_shows_what_was_computed_in_one_scale(panel, studio):
@@ -67,11 +64,11 @@ def test_windows_are_cut_by_number_or_by_length(panel, studio, qtbot):
     assert cells["window_s"].isVisible()
     assert not cells["window_count"].isVisible()
     cells["windows_cut"].edited.emit("windows_cut", "count", None)
-    settle(studio, qtbot)
+    rest(studio)
     assert cells["window_count"].isVisible()
     assert not cells["window_s"].isVisible()
     cells["window_count"].edited.emit("window_count", 3, None)
-    settle(studio, qtbot)
+    rest(studio)
     assert panel.strip.content.windows.count == 3
     assert panel.strip.content.windows.window_samples == 260
     assert not studio.document.undo_stack.canUndo()
@@ -113,7 +110,7 @@ def test_the_pointer_reads_times_and_extent(panel):
 def test_where_there_is_nothing_to_show_it_says_why(panel, studio, qtbot, design, view, text):
     studio.document.edit("Other", design)
     studio.document.look(replace(studio.document.view, **view))
-    settle(studio, qtbot)
+    rest(studio)
     assert text in panel.strip.message
     assert panel.strip.text_at(panel.strip.rect().toRectF().center()) == ""
     panel.strip.grab()
@@ -165,7 +162,7 @@ def test_neither_two_maps_nor_two_times_lie_on_each_other(count, width):
 def test_how_long_windows_are_is_said_where_only_their_begins_are(open_window, qtbot):
     window = open_window(TRAIN, ss.View(method="mag", windows_cut="count", window_count=24))
     strip = analysis(window, "windowed").strip
-    settle(window, qtbot)
+    rest(window)
     assert "24.6 ms" in strip.head_text
     levels_db = strip.content.levels_db
     assert "traces" in strip.content.begin_phrases[0]

@@ -34,10 +34,8 @@ from tests.gui.compare.compare_bench import (
 
 
 @pytest.fixture
-def panel(window, settle, qtbot):
+def panel(window, active, settle):
     """Compare, in front."""
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
     window.docks["compare"].bring_forward()
     settle()
     return window.panel("compare")
@@ -47,9 +45,7 @@ def names_of(requests):
     return [request.slot.name for request in requests]
 
 
-def test_keys_store_show_and_toggle_and_arrangements_have_moved(window, qtbot, settle):
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+def test_keys_store_show_and_toggle_and_arrangements_have_moved(window, active, settle):
     first = window.document.design
     QTest.keyClick(window, KEY.Key_1, CTRL | SHIFT)
     edit(window, 2.0)
@@ -262,18 +258,6 @@ def test_maps_show_snapshots_as_loud_as_they_are_shown_and_how_they_differ(windo
     choose(window, shown="levels")
     settle()
     np.testing.assert_allclose(panel.maps.content.cells[0].values_db, expected, atol=1e-9)
-
-
-def test_equal_snapshots_are_said_to_be_equal(window, panel, settle):
-    choose(window, shown="difference")
-    window.do("store_snapshot_1")
-    edit(window, 2.0)
-    window.do("store_snapshot_2")
-    for matched in (False, True):
-        settle()
-        [cell] = panel.maps.content.cells
-        assert (cell.heading == "1 equals 2") == matched
-        window.do("match_levels")
 
 
 def test_what_is_silent_has_no_level_that_is_matched_compared_or_averaged(window, panel, settle):

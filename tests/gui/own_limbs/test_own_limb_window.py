@@ -15,18 +15,13 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.state.compared import SILENT
 from skinsource_gui.state.engine import Purpose
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
+from tests.gui.shared_window import rest
 from tests.gui.skin.bench import entries
 
 PLAYED = Design(
     limb="synthetic-1",
     inputs=(track(5, Tone(frequency_hz=1500.0, duration_s=0.1)), track(2, Noise(seed=1))),
 )
-
-
-def rested(window, qtbot):
-    """Wait until the window shows what is computed."""
-    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-    window.catch_up()
 
 
 @pytest.fixture
@@ -45,11 +40,11 @@ def lane(window):
     return window.panel("timeline").lanes.content.lanes[0]
 
 
-def test_every_panel_shows_it_or_says_plainly_why_not(lab_window, qtbot):
+def test_every_panel_shows_it_or_says_plainly_why_not(lab_window):
     for panel in lab_window.panels:
         lab_window.docks[panel.name].show()
         lab_window.docks[panel.name].raise_()
-    rested(lab_window, qtbot)
+    rest(lab_window)
     assert lab_window.notice.text == ""
     for panel in lab_window.panels:
         assert not panel.grab().isNull()
@@ -84,7 +79,7 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     )
 
 
-def test_a_new_design_and_one_of_a_file_are_looked_at_as_the_limb_can_be(lab_window, qtbot):
+def test_a_new_design_and_one_of_a_file_are_looked_at_as_the_limb_can_be(lab_window):
     window = lab_window
     axes = window.panel("skin").measure.axes
     window.files.new()
@@ -93,24 +88,13 @@ def test_a_new_design_and_one_of_a_file_are_looked_at_as_the_limb_can_be(lab_win
     assert axes.accessibleDescription().startswith("x, z")
     view = View(axes="xyz", outputs=(3, 52))
     window.document.start_over(replace(PLAYED, limb="lab-1"), view, None)
-    rested(window, qtbot)
+    rest(window)
     assert (window.document.view.axes, window.document.view.outputs) == ("xz", (3,))
     assert axes.accessibleDescription().startswith("x, z")
     assert not window.document.modified
 
 
-def test_it_is_chosen_like_any_other_and_left_again(lab, window, qtbot):
-    limb = window.findChild(ChoiceField, "limb")
-    limb.choose("lab-1")
-    rested(window, qtbot)
-    assert window.panel("hand").diagram.stage.layout.n_sites == N_INPUTS
-    limb.choose("synthetic-1")
-    rested(window, qtbot)
-    assert window.panel("hand").diagram.stage.layout.n_sites == 20
-    assert window.panel("skin").map.stage.layout.card_title == "Palm side"
-
-
-def test_a_limb_that_goes_locks_its_design_until_it_is_back(lab_window, qtbot):
+def test_a_limb_that_goes_locks_its_design_until_it_is_back(lab_window):
     window = lab_window
     before = window.document.design
     remove_limb("lab-1")
@@ -129,12 +113,12 @@ def test_a_limb_that_goes_locks_its_design_until_it_is_back(lab_window, qtbot):
     assert window.document.design.inputs[0].muted
 
 
-def test_a_left_hand_is_mirrored_in_every_panel_on_request(lab_window, lab, qtbot):
+def test_a_left_hand_is_mirrored_in_every_panel_on_request(lab_window, lab):
     hand = lab_window.panel("hand").diagram
     before = hand.stage.layout.centres[:, 0].copy()
     mirror_limb("lab-1", True)
     QApplication.sendEvent(lab_window, QEvent(QEvent.Type.WindowActivate))
-    rested(lab_window, qtbot)
+    rest(lab_window)
     order = np.argsort(before)
     assert (np.argsort(hand.stage.layout.centres[:, 0]) == order[::-1]).all()
     both = lab.outline[:, 0].min() + lab.outline[:, 0].max()
@@ -144,14 +128,14 @@ def test_a_left_hand_is_mirrored_in_every_panel_on_request(lab_window, lab, qtbo
 
 @pytest.mark.parametrize("n_unplaced", [0, 13, 30])
 def test_outputs_without_a_place_stand_beside_the_map_however_many(
-    user_data, open_window, qtbot, n_unplaced
+    user_data, open_window, n_unplaced
 ):
     places = np.random.default_rng(2).uniform(-30, 30, (N_OUTPUTS, 2))
     places[:n_unplaced] = np.nan
     installed(output_positions=places)
     edit = edits.change_limb(PLAYED, View(outputs=(1, 31)), "lab-1")
     window = open_window(edit.design, edit.view)
-    rested(window, qtbot)
+    rest(window)
     skin = window.panel("skin").map
     layout = skin.stage.layout
     assert layout.unplaced == tuple(range(1, n_unplaced + 1))
@@ -166,7 +150,7 @@ def test_outputs_without_a_place_stand_beside_the_map_however_many(
 def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_no_more(
     lab, window, qtbot, monkeypatch
 ):
-    rested(window, qtbot)
+    rest(window)
     skin, document = window.panel("skin"), window.document
     document.look(replace(document.view, outputs=(3,)))
     assert skin.map.content.limb == "synthetic-1"
@@ -176,7 +160,7 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
     with monkeypatch.context() as fewer:
         fewer.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
         document.apply(edit)
-        rested(window, qtbot)
+        rest(window)
         content = skin.map.content
         assert "live results are possible up to" in content.message
         assert content.limb == "lab-1"
@@ -187,7 +171,7 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
         assert not skin.grab().isNull()
         # No response is read for it, and nothing is judged.
         window.conditions._judge()
-        rested(window, qtbot)
+        rest(window)
         assert {result.request.purpose for result in computed} == {Purpose.SHOW}
         assert sum(result.work.bytes_read for result in computed) == 0
         assert (window.conditions.chip.findings, window.notice.text) == ((), "")
@@ -195,42 +179,45 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
     qtbot.waitUntil(lambda: skin.map.content.coloured_values is not None, timeout=30_000)
 
 
-def test_outputs_that_a_limb_lacks_leave_the_selection_and_undo_brings_them_back(
-    lab, window, qtbot
-):
+def test_outputs_that_a_limb_lacks_leave_the_selection_and_undo_brings_them_back(lab, window):
     document = window.document
     document.look(replace(document.view, outputs=(3, 52)))
     window.findChild(ChoiceField, "limb").choose("lab-1")
-    rested(window, qtbot)
+    rest(window)
     assert document.view.outputs == (3,)
     assert window.notice.text == ""
+    hand = window.panel("hand").diagram
+    assert hand.stage.layout.n_sites == N_INPUTS
     document.undo_stack.undo()
     assert document.view.outputs == (3, 52)
+    rest(window)
+    assert hand.stage.layout.n_sites == 20
+    assert window.panel("skin").map.stage.layout.card_title == "Palm side"
 
 
-def test_an_input_at_a_place_that_the_limb_lacks_is_said_with_what_to_do(lab, window, qtbot):
+def test_an_input_at_a_place_that_the_limb_lacks_is_said_with_what_to_do(lab, window):
     document = window.document
     document.edit("Move", document.design.with_input(0, location=12))
     window.findChild(ChoiceField, "limb").choose("lab-1")
-    rested(window, qtbot)
+    rest(window)
     message = "lab-1 has the places 1 to 7, and there is an input at place 12."
     assert window.notice.text == message
     assert lane(window).problem.startswith(f"{message} Move the input, or")
     assert window.panel("skin").map.content.message == SILENT
     document.edit("Move", document.design.with_input(0, location=7))
-    rested(window, qtbot)
+    rest(window)
     assert (window.notice.text, lane(window).problem) == ("", "")
 
 
 GONE = Design(limb="lab-9", limb_digest="0" * 64, inputs=(track(6),))
 
 
-def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(window, qtbot):
+def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(window):
     # A window that showed a limb, and now a design of one that is missing.
-    rested(window, qtbot)
+    rest(window)
     assert window.panel("skin").map.content.limb_map is not None
     window.document.start_over(GONE, View(outputs=(3,)), None)
-    rested(window, qtbot)
+    rest(window)
     hand = window.panel("hand")
     assert not hand.diagram.isVisibleTo(hand)
     assert hand.findChild(QLabel, "hand_missing").text() == "The limb 'lab-9' is missing"
@@ -247,22 +234,22 @@ def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(wi
     assert "not here" in limb.toolTip()
 
 
-def test_a_new_design_on_a_limb_whose_file_has_come_back_tells_its_name(user_data, window, qtbot):
+def test_a_new_design_on_a_limb_whose_file_has_come_back_tells_its_name(user_data, window):
     installed()
     QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
     design = Design(limb="lab-1", limb_digest=facts_of("lab-1").digest, inputs=(track(6),))
     window.document.start_over(design, View(axes="xz", outputs=(3,)), None)
-    rested(window, qtbot)
+    rest(window)
     box = window.setup_bar.findChild(ChoiceField, "limb")
     there = box.shown_text
     remove_limb("lab-1")
     QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
-    rested(window, qtbot)
+    rest(window)
     assert box.shown_text == "lab-1 (not available)"
     # Nobody left the window in between.
     installed()
     window.files.new()
-    rested(window, qtbot)
+    rest(window)
     assert window.document.design.limb == "lab-1"
     assert box.shown_text == there
 
@@ -275,12 +262,12 @@ def message(window):
 
 
 def test_a_design_for_a_limb_that_is_not_here_opens_is_kept_and_may_have_another_limb(
-    window, tmp_path, qtbot
+    window, tmp_path
 ):
     path = tmp_path / "strange.skinsource"
     save_design(path, STRANGE)
     window.files.open(path)
-    rested(window, qtbot)
+    rest(window)
     assert window.document.design == STRANGE
     assert "limb 'foot-1' is not available here" in message(window)
     assert window.panel("skin").map.content.coloured_values is None
@@ -290,6 +277,6 @@ def test_a_design_for_a_limb_that_is_not_here_opens_is_kept_and_may_have_another
     assert window.files.save()
     assert open_design(path).design == STRANGE
     limb.choose("synthetic-2")
-    rested(window, qtbot)
+    rest(window)
     assert (window.document.design.limb, message(window)) == ("synthetic-2", "")
     assert np.isfinite(window.panel("skin").map.content.values).all()

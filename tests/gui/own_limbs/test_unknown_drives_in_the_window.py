@@ -18,7 +18,7 @@ from skinsource_gui.plots.pictures import caption_of
 from tests.core.own_limbs.lab_bench import installed
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 from tests.gui.analysis.analysis_bench import analysis
-from tests.gui.own_limbs.test_own_limb_window import rested
+from tests.gui.shared_window import rest
 
 UNDRIVEN = Design(
     limb="synthetic-1", inputs=(track(3, Tone(frequency_hz=100.0, duration_s=0.1), amplitude=0.5),)
@@ -68,7 +68,7 @@ def checked_unit(field):
 
 
 def shows(window, qtbot, unit):
-    rested(window, qtbot)
+    rest(window)
     assert set(shown_unit(window).values()) == {unit}, shown_unit(window)
     hint = tooltip_of_scaling(window)
     assert ("unit of the drive" in hint) is (unit == "a.u.")
@@ -80,7 +80,7 @@ def opened(limbs, open_window, qtbot, monkeypatch):
     use(monkeypatch, SyntheticSoundLibrary(Two=2))
     window = open_window(*on(DRIVE))
     window.docks["output"].bring_forward()
-    rested(window, qtbot)
+    rest(window)
     return window
 
 
@@ -92,19 +92,19 @@ def test_another_limb_changes_the_unit_everywhere_at_once(opened, qtbot):
         shows(opened, qtbot, unit)
 
 
-def test_a_transfer_function_is_per_what_is_driven(opened, qtbot):
+def test_a_transfer_function_is_per_what_is_driven(opened):
     analysis(opened, "transfer")
-    rested(opened, qtbot)
+    rest(opened)
     picture, limb = opened.panel("analysis").view.picture, opened.findChild(ChoiceField, "limb")
     assert picture.content.unit == "1 m/s² per sample of 1"
     limb.choose(PROBE)
-    rested(opened, qtbot)
+    rest(opened)
     assert picture.content.unit == "1 (m/s²)/(m/s²)"
     coil = ActuatorAt(model=load("example-voice-coil"))
     for equaliser, unit in ((None, "V"), (RegularisedInverse(), "(m/s²)")):
         through = Actuation(actuators=(coil,), equaliser=equaliser)
         opened.document.edit("Drive", replace(opened.document.design, actuation=through))
-        rested(opened, qtbot)
+        rest(opened)
         assert picture.content.unit == f"1 (m/s²)/{unit}"
 
 
@@ -113,7 +113,7 @@ def test_of_a_limb_that_goes_the_unit_is_not_known_until_it_is_back(opened, qtbo
     shows(opened, qtbot, "m/s²")
     remove_limb(PROBE)
     QApplication.sendEvent(opened, QEvent(QEvent.Type.WindowActivate))
-    rested(opened, qtbot)
+    rest(opened)
     assert set(shown_unit(opened).values()) == {"a.u."}
     installed(name=PROBE, per_unit_drive=False)
     QApplication.sendEvent(opened, QEvent(QEvent.Type.WindowActivate))
@@ -158,15 +158,14 @@ WIDE_BAND = Design(limb="synthetic-1", inputs=(track(5, Tone(frequency_hz=900.0,
 
 
 @pytest.mark.parametrize("band", [None, (40.0, 1500.0), (40.0, 800.0)])
-def test_the_advice_beside_fields_asks_the_limb(user_data, make_window, qtbot, band):
+def test_the_advice_beside_fields_asks_the_limb(user_data, make_window, band):
     installed(band_hz=band)
     edit = edits.change_limb(WIDE_BAND, View(selected_inputs=(1,), outputs=(3,)), "lab-1")
     window = make_window(edit.design, edit.view)
     for name in ("inspector", "clip_editor", "spectra"):
         window.docks[name].bring_forward()
     analysis(window, "spectrogram")
-    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-    window.catch_up()
+    rest(window)
     note = window.findChild(QLabel, "frequency_hz_note")
     warned = band is not None and band[1] < 900.0
     assert ("outside the measured band (40 to 800 Hz)" in note.text()) is warned

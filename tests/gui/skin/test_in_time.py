@@ -5,7 +5,6 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
 from skinsource.base.conventions import PRE_TRIGGER_DELAY_S
@@ -16,6 +15,7 @@ from skinsource.engine.time_rules import BLOCK_S
 from skinsource_gui.panels.skin.content import signals_name
 from skinsource_gui.panels.skin.settings import LEVELS, MAGNITUDE, RMS, SkinSettings, Z
 from skinsource_gui.plots.colour_maps import DIVERGING
+from tests.gui.shared_window import rest
 from tests.gui.skin.bench import choose
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
@@ -30,7 +30,7 @@ def window(open_window):
 
 
 @pytest.fixture
-def look(qtbot):
+def look():
     """Change what the skin panel looks at, and wait for it."""
 
     def change(window, playhead_s=None, **settings):
@@ -42,8 +42,7 @@ def look(qtbot):
             now = settings_of(view, "skin", SkinSettings)
             view = with_settings(view, "skin", replace(now, **settings))
         document.look(view)
-        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-        QApplication.processEvents()
+        rest(window)
         return window.panel("skin").map.content
 
     return change

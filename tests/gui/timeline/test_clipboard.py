@@ -19,12 +19,12 @@ from tests.gui.timeline.bench import CONTROL, LEFT, NONE, SHIFT, TONE, TWO_TRACK
 
 
 @pytest.fixture
-def active(window):
-    """The window, with an empty clipboard and a clip that is selected."""
+def active(active):
+    """The studio, with the keyboard, an empty clipboard and a clip that is selected."""
     QGuiApplication.clipboard().clear()
-    (clip,) = window.document.design.clips
-    window.document.look(replace(window.document.view, selected_clips=(clip.id,)))
-    return window
+    (clip,) = active.document.design.clips
+    active.document.look(replace(active.document.view, selected_clips=(clip.id,)))
+    return active
 
 
 def waveforms(window):
@@ -32,8 +32,6 @@ def waveforms(window):
 
 
 def test_keys_are_about_words_where_one_types_and_about_clips_in_the_timeline(active, qtbot):
-    active.activateWindow()
-    qtbot.waitUntil(active.isActiveWindow)
     field = active.panel("inspector").findChild(NumberField, "frequency_hz_field")
     field.setFocus()
     QTest.keyClick(field, Qt.Key.Key_C, CONTROL)
@@ -53,8 +51,6 @@ def test_keys_are_about_words_where_one_types_and_about_clips_in_the_timeline(ac
 def test_paste_goes_to_the_head_and_the_time_that_were_clicked_last_from_any_focus(
     active, qtbot, panel
 ):
-    active.activateWindow()
-    qtbot.waitUntil(active.isActiveWindow)
     active.do("copy_clips")
     active.panel("hand").setFocus()
     for name in ("add_input", "undo", "add_input"):
@@ -168,8 +164,6 @@ def test_what_acts_on_clips_acts_on_selected_ones_else_refuses_in_one_sentence(t
 
 
 def test_duplicate_and_remove_of_the_menu_name_what_is_outlined_and_act_on_it(active, qtbot):
-    active.activateWindow()
-    qtbot.waitUntil(active.isActiveWindow)
     document, words = active.document, []
     for key in (Qt.Key.Key_D, Qt.Key.Key_Backspace):
         field = active.panel("inspector").findChild(NumberField, "frequency_hz_field")
