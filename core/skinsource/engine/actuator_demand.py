@@ -14,6 +14,7 @@ from skinsource.base.conventions import BAND_HZ, Band, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.engine.gains import Placed
 from skinsource.limbs.scaling import Scaling
+from skinsource.signals.resampling import extremes_between
 
 
 def listed_name(actuator: ActuatorAt) -> str | None:
@@ -46,8 +47,10 @@ def profile_of(actuator: ActuatorAt) -> ActuatorProfile:
     )
 
 
-#: Of a longer drive only so many seconds around its peak are predicted.
+#: Of a longer voltage only so many seconds around its peak are predicted.
 LONGEST_S = 1.0
+# Before and after them: the filter rings there, and what is cut out fades in and out.
+_MARGIN_S = 0.1
 # Fine enough for figures on the screen; exports are checked at 48 kHz.
 _LEAST_RATE_HZ = 20_000
 _NO_ACCELERATIONS = "The equaliser needs accelerations. Choose the scaling Probe acceleration."
@@ -126,38 +129,52 @@ def demand_of(
         refusal = _NO_VOLTS if equaliser is None else _NO_ACCELERATIONS
         return Demand(place=location, refusal=refusal)
     drive = drive_at(placed, location)
-    shown, band = strongest(drive, sample_rate_hz), followed_band(band_hz, sample_rate_hz)
-    part = shown.size < drive.size
+    voltage, band = drive, followed_band(band_hz, sample_rate_hz)
     try:
         shown_profile = profile_of(actuation.at(location))
         model: Any = shown_profile.model
-        voltage = shown
         if equaliser is not None:
             voltage = equalised(
-                shown, sample_rate_hz, model, equaliser, band_hz=band, lead_s=0.1, tail_s=0.1
+                drive,
+                sample_rate_hz,
+                model,
+                equaliser,
+                band_hz=band,
+                lead_s=_MARGIN_S,
+                tail_s=_MARGIN_S,
             )
+        shown = strongest(voltage, sample_rate_hz)
         (figures,) = predicted(
-            voltage,
+            shown,
             int(sample_rate_hz),
             model,
             thermal=shown_profile.thermal,
             least_rate_hz=-(-_LEAST_RATE_HZ // int(sample_rate_hz)) * int(sample_rate_hz),
         )
     except InvalidInputError as error:
-        rest = net_velocity(shown, sample_rate_hz, band[0])
+        rest = net_velocity(drive, sample_rate_hz, band[0])
         text = str(error)
         refusal = f"{text[:1].upper()}{text[1:]}"
         leaves_velocity = equaliser is not None and not rest.returns
-        return Demand(place=location, part=part, refusal=refusal, leaves_velocity=leaves_velocity)
+        return Demand(place=location, refusal=refusal, leaves_velocity=leaves_velocity)
     # The duty is that of the drive, without the ringing of the filter before and after.
     figures = replace(figures, duty=duty_of(drive, sample_rate_hz))
-    return Demand(place=location, part=part, figures=figures)
+    return Demand(place=location, part=shown.size < voltage.size, figures=figures)
 
 
-def strongest(drive: Floats, sample_rate_hz: float) -> Floats:
-    """Return the drive, or the part around its peak where it is long."""
-    longest = int(LONGEST_S * sample_rate_hz)
-    if drive.size <= longest:
-        return drive if drive.size else np.zeros(1)
-    start = min(max(int(np.abs(drive).argmax()) - longest // 2, 0), drive.size - longest)
-    return drive[start : start + longest]
+def strongest(voltage: Floats, sample_rate_hz: float) -> Floats:
+    """Return the voltage, or the part around its peak where it is long, cut out softly."""
+    longest = int((LONGEST_S + 2.0 * _MARGIN_S) * sample_rate_hz)
+    if voltage.size <= longest:
+        return voltage if voltage.size else np.zeros(1)
+    between = extremes_between(voltage[np.newaxis])
+    peak = int(np.maximum(between.high, -between.low).argmax())
+    start = min(max(peak - longest // 2, 0), voltage.size - longest)
+    end, n = start + longest, int(_MARGIN_S * sample_rate_hz)
+    part = voltage[start:end].copy()
+    fade = 0.5 - 0.5 * np.cos(np.pi * np.arange(n) / n)
+    if start > 0:
+        part[:n] *= fade
+    if end < voltage.size:
+        part[-n:] *= fade[::-1]
+    return part

@@ -300,7 +300,7 @@ def noise_findings(above_noise_db: Floats | None, *, synthetic: bool, silent: bo
         number=len(noisy),
         sentence=(
             f"{len(noisy)} of {few} of the measurement: {number_ranges(noisy)}. Their levels are "
-            "mostly noise; they are hatched on the map."
+            "mostly noise over the whole record; the skin map hatches them."
         ),
         repair="deselect",
         outputs=noisy,

@@ -10,7 +10,7 @@ import numpy as np
 from PySide6.QtCore import QPointF
 
 from skinsource.base.conventions import Axes, Floats
-from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.design.comparing import (
     MOST_SIDE_BY_SIDE,
     RANGE_BETWEEN_PEOPLE,
@@ -536,9 +536,13 @@ class Kind:
         known = [side for side in compared if side.values is not None]
         return COMPARED_SILENT if known and all(is_silent(side) for side in known) else ""
 
+    def over(self, view: View) -> str:
+        """Return the end of a text: what the RMS is over."""
+        return f"· {span_label(view.span)}"
+
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         """Return the text on what the levels are."""
-        text = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
+        text = f"RMS of {signal_label(view.axes, view.method)} {self.over(view)}"
         without = "without inputs that cannot be played"
         left_out = without if any(side.left_out for side in compared) else ""
         return " · ".join(filter(None, (text, display_gain_text(design, view), left_out)))
@@ -617,7 +621,7 @@ class OfAxes(Kind):
         return [(f"Along {side.axes}", side.axes) for side in compared]
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
-        text = f"RMS along each axis of the sensors · {span_label(view.span)}"
+        text = f"RMS along each axis of the sensors {self.over(view)}"
         return " · ".join(part for part in (text, display_gain_text(design, view)) if part)
 
 
@@ -675,6 +679,7 @@ class OfWindows(Kind):
         {
             *("limb_map", "limb_data", "surface", "sample_rate_hz", "windows"),
             *("levels_of_windows_db", "surface_of_windows_db", "extents_of_windows"),
+            "noise_rms_of_windows",
         }
     )
     choices: ClassVar[tuple[str, ...]] = ("levels",)
@@ -684,11 +689,14 @@ class OfWindows(Kind):
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         common = {name: results[name] for name in _COMMON}
         snapshot, sides = Snapshot(design=design), []
+        noise = results["noise_rms_of_windows"]
         bounds_s = results["windows"].bounds_s(results["sample_rate_hz"])
         for k, (begin_s, end_s) in enumerate(bounds_s[:MOST_SIDE_BY_SIDE]):
+            levels_db = results["levels_of_windows_db"][k]
             values = {
-                "output_levels_db": results["levels_of_windows_db"][k],
+                "output_levels_db": levels_db,
                 "surface_levels_db": results["surface_of_windows_db"][k],
+                "above_noise_db": None if noise is None else levels_db - decibels(noise[k]),
             }
             extent = results["extents_of_windows"][k]
             reach = "" if extent is None else f" · {extent.mean_distance_mm:.0f} mm away"
@@ -698,6 +706,9 @@ class OfWindows(Kind):
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return [(side.axes, side.axes.partition(" · ")[0]) for side in compared]
+
+    def over(self, view: View) -> str:
+        return "in windows"
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         text = super().about(compared, design, view)

@@ -262,9 +262,12 @@ def film_remark(design: Design, view: View, options: FilmOptions) -> Remark:
         return Remark(str(error), refuses=True)
     # The duration of the whole response follows from the clips, within a sample or two.
     about = "about " if view.time_range_s is None else ""
-    sentences = [
-        f"{_part_text(view)}: {about}{film.duration_s:.3g} s of film, {film.count} frames."
-    ]
+    part = "All of the response"
+    if view.time_range_s is not None:
+        # The response, and so the film, may begin later or end earlier than the time axes.
+        begin_ms, end_ms = 1e3 * film.begin_s, 1e3 * film.time_s(film.count - 1)
+        part = f"{begin_ms:.0f} to {end_ms:.0f} ms of the response"
+    sentences = [f"{part}: {about}{film.duration_s:.3g} s of film, {film.count} frames."]
     if film.slow_motion != float(options.pace):
         sentences.append(
             f"It runs at 1/{film.slow_motion:g}: at 1/{options.pace} it would have fewer than two "
@@ -303,13 +306,6 @@ def _end_s(design: Design, view: View) -> float:
     removed_s = limb.pre_trigger_delay_s if view.delay_removed else 0.0
     end_s = _moves_s(design)[1] + (limb.n_taps - 1) / limb.sample_rate_hz
     return max(end_s - removed_s, 0.0)
-
-
-def _part_text(view: View) -> str:
-    if view.time_range_s is None:
-        return "All of the response"
-    first_s, last_s = view.time_range_s
-    return f"{1e3 * first_s:.0f} to {1e3 * last_s:.0f} ms of the response"
 
 
 #: Usual width and height of a frame, px.

@@ -117,6 +117,8 @@ def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
     assert finding.outputs == (1, 67, 68, 69, 72)
     assert "5 of 72" in finding.sentence
     assert "1, 67 to 69 and 72" in finding.sentence
+    # Maps of time windows hatch other ones.
+    assert "over the whole record; the skin map hatches them" in finding.sentence
     view = View(outputs=(1, 5, 72))
     assert edits.mend(design_of(), view, finding).view.outputs == (5,)
     assert isinstance(edits.mend(design_of(), View(outputs=(5,)), finding), Refusal)

@@ -15,8 +15,10 @@ from skinsource import Design, View, evaluate, people, track
 from skinsource.design.comparing import scale_end_db
 from skinsource.design.design import Snapshot
 from skinsource.design.panel_settings import with_settings
+from skinsource.engine.analysis_rules import noisy_outputs_of_windows
 from skinsource.signals.map_range import MAP_RANGE_DB, map_range_db
 from skinsource_gui.panels.compare.content import (
+    KINDS,
     of_differences,
     of_levels,
     of_spread,
@@ -429,3 +431,26 @@ def test_what_is_mostly_noise_is_hatched_on_each_map_and_on_what_is_made_of_seve
     assert [cell.small.noisy for cell in of_spread(pair, names, 0, "loudest")] == [(3, 70, 71)] * 2
     [quiet, _] = of_levels([compared(1, noisy=()), pair[1]], names)
     assert painted(first.small) != painted(quiet.small)
+
+
+def test_each_time_window_hatches_its_own_noise_and_says_what_its_levels_are_over(qapp):
+    kind = KINDS["windows"]
+    results = evaluate(DESIGN, "rms_of_windows", *kind.needs)
+    # Of a synthetic limb there is none.
+    assert results["noise_rms_of_windows"] is None
+    assert {cell.small.noisy for cell in of_windows(results)} == {()}
+    rms = results["rms_of_windows"]
+    noise = 0.1 * rms
+    noise[1, 4], noise[2, [5, 70]] = 0.51 * rms[1, 4], 0.51 * rms[2, [5, 70]]
+    hatched = [cell.small.noisy for cell in of_windows({**results, "noise_rms_of_windows": noise})]
+    assert hatched[1:3] == [(5,), (6, 71)]
+    # As on the picture of the windows.
+    assert hatched == list(noisy_outputs_of_windows(rms, noise))
+    about = kind.about(kind.sides(DESIGN, results), DESIGN, View())
+    assert about.startswith("RMS of x, y, z, principal axis in windows · mean distance")
+
+
+def of_windows(results):
+    kind = KINDS["windows"]
+    sides = kind.sides(DESIGN, results)
+    return of_levels(sides, kind.names(sides, View(), difference=False))

@@ -209,6 +209,8 @@ def test_a_muted_clip_says_so_and_keeps_its_peak_unless_others_are_heard(qtbot, 
         bench.show(bench.design.with_input(0, clips=clips), selected_clips=(clips[0].id,))
         bench.panel.show_results(bench.results())
         says = [label.text() for label in bench.panel.findChildren(QLabel) if label.isVisible()]
+        # It is that of the whole track, however many clips it has.
+        assert "Track peak" in says
         return "Input gain" in says, bench.label("peak").text(), "muted" in says
 
     bench = Bench(qtbot, design_of(waveform))

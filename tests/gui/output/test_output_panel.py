@@ -12,9 +12,11 @@ from skinsource import View, edits, track
 from skinsource.base.conventions import BAND_HZ
 from skinsource.base.work import counting
 from skinsource.design.waveforms.pulses import CentredTap, Tap
-from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.actuator_demand import LONGEST_S, listed_name, profile_of, strongest
+from skinsource.design.waveforms.tones import Chirp, Tone
+from skinsource.engine.actuator_demand import listed_name, profile_of, strongest
 from skinsource.engine.quantities import sources
+from skinsource.export.formats.audio import Wav
+from skinsource.export.stimulus_export.preparing import prepare_stimulus
 from skinsource_gui.panels.output.figures import frequencies_of, frequency_axis, response_curves
 from skinsource_gui.panels.output.panel import with_actuator, with_equaliser
 from skinsource_gui.plots.pictures import caption_of
@@ -164,14 +166,39 @@ def test_figures_are_computed_beside_the_window(window, panel, qtbot):
     assert in_the_way.samples_moved == 0
 
 
-def test_a_long_drive_is_looked_at_where_it_is_strongest():
-    drive = np.zeros(130_000)
-    drive[100_000] = 2.0
-    part = strongest(drive, 1300.0)
-    assert part.size == int(LONGEST_S * 1300)
+def test_a_long_voltage_is_looked_at_where_it_is_strongest():
+    voltage = np.zeros(130_000)
+    voltage[100_000] = 2.0
+    part = strongest(voltage, 1300.0)
+    assert part.size == 1560
     assert part.max() == 2.0
-    assert strongest(drive[:100], 1300.0).size == 100
+    assert strongest(voltage[:100], 1300.0).size == 100
     assert strongest(np.zeros(0), 1300.0).size == 1
+
+
+CHIRP = Chirp(start_hz=600.0, end_hz=40.0, duration_s=4.0)
+
+
+@pytest.mark.parametrize("waveform", [Tone(frequency_hz=100.0, duration_s=1.5), CHIRP])
+@pytest.mark.parametrize("name", ["example-voice-coil", "kastor-2023-air", "example-piezo"])
+def test_the_peak_of_a_long_drive_is_the_one_that_is_exported(name, waveform):
+    actuator = ss.ActuatorAt(actuator=name, model=ss.actuators.load(name))
+    actuation = replace(bench.CHOSEN, actuators=(actuator,))
+    design = bench.design_of(track(7, waveform), actuation=actuation)
+    demand = ss.evaluate(design, "actuator_demand")["actuator_demand"]
+    exported = prepare_stimulus(design, Wav(), 48_000, ss.StimulusOptions())
+    assert demand.part
+    assert demand.figures.peak_voltage_v == pytest.approx(exported.peak, rel=1e-3)
+
+
+def test_of_a_voltage_without_an_equaliser_no_edge_of_the_cut_is_counted():
+    tone = track(7, Tone(frequency_hz=100.0, duration_s=3.0), amplitude=2.0)
+    actuation = replace(bench.CHOSEN, equaliser=None, on=True)
+    demand = ss.evaluate(bench.design_of(tone, actuation=actuation), "actuator_demand")
+    figures = demand["actuator_demand"].figures
+    # The fastest change is that of the tone, not the one at an edge.
+    assert figures.slew_v_per_s == pytest.approx(2.0 * 2.0 * np.pi * 100.0, rel=0.02)
+    assert figures.peak_voltage_v == pytest.approx(2.0, rel=1e-3)
 
 
 def test_without_anything_that_plays_it_says_what_to_do(open_window, qtbot):

@@ -277,6 +277,13 @@ def test_length_and_frames_follow_what_is_chosen(form):
     assert remark(form) == f"{begin}2.02 s of film, 101 frames."
 
 
+def test_what_is_said_of_a_film_is_the_part_that_the_response_has():
+    # As time axes are fitted: they begin before the response.
+    view = shown("z", View(time_range_s=(-0.005, 0.15)))
+    text = film_remark(DESIGN, view, FilmOptions(pace="20")).text
+    assert text.startswith("0 to 150 ms of the response: 3.02 s of film, 181 frames.")
+
+
 @pytest.mark.parametrize(("frequency_hz", "pace"), [(400.0, "200"), (100.0, "50")])
 def test_the_waves_of_a_tone_are_filmed_as_slowly_as_on_the_stage(frequency_hz, pace):
     tone = ss.waveforms.Tone(frequency_hz=frequency_hz)
