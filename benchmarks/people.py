@@ -273,7 +273,10 @@ is a range between people, no confidence band: it held these shares of the level
 
 {held}
 
-In the studio, Compare shows its ends and mean: *Limbs*, *Range*.
+In the studio, Compare shows its ends and mean (*Limbs*, *Range*), and the skin map its mean, with
+the ends under the pointer (*Range between people*). `ss.plot.people` draws it; a sweep with
+`people = true` and a sidecar that was asked for it (`skinsource export --people`) hold it. The
+people are then the limbs of the design's kind: four measured ones, or four synthetic ones.
 
 ## Some places measured
 
