@@ -361,9 +361,9 @@ class Calibrating(QObject):
 
     def _focus(self) -> None:
         """Make the design that is strong at the sensor and quiet elsewhere."""
-        if self.state.opened is not None:
-            work = partial(_focus_of, self.state.opened, self.state.sitting.output)
-            self._run("Focusing", work, self._take_focus)
+        opened, output = self.state.opened, self.state.sitting.output
+        if opened is not None:
+            self._run("Focusing", partial(_focus_of, opened, output), self._take_focus)
             return
         found, others = self._found, getattr(self._station, "others", None)
 
