@@ -258,7 +258,8 @@ the design.
 In the window, Play > Calibrate a person… leads there in the workspace Lab: mounting, two sweeps of
 each actuator, the focus, and whether it holds where the sensor lies and at two quiet places. Until
 then, and mounted anew, it is not verified. A stand-in person lets it be tried without hardware.
-What *Save…* writes, `ss.people.open_partial` opens in a script; `ss.people.focus` takes it there.
+What *Save…* writes, *Open person…* opens there, and `ss.people.open_partial` in a script, where
+`ss.people.focus` takes it. Opened from a file, a focus is not verified.
 
 A sensor on the wrong place costs all of it. `ss.people.likeliest_place` compares the octave levels
 of the row with those of the others. Of {n} outputs of each person it doubted, with the sensor where
@@ -273,7 +274,10 @@ is a range between people, no confidence band: it held these shares of the level
 
 {held}
 
-In the studio, Compare shows its ends and mean: *Limbs*, *Range*.
+In the studio, Compare shows its ends and mean (*Limbs*, *Range*), and the skin map its mean, with
+the ends under the pointer (*Range between people*). `ss.plot.people` draws it; a sweep with
+`people = true` and a sidecar that was asked for it (`skinsource export --people`) hold it. The
+people are then the limbs of the design's kind: four measured ones, or four synthetic ones.
 
 ## Some places measured
 

@@ -13,9 +13,10 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, Qt, Signal
 
 from skinsource import lab, people
-from skinsource.base.errors import SkinSourceError, counted, sentence
+from skinsource.base.errors import SkinSourceError, counted, printable, sentence
 from skinsource.base.files import path_text
 from skinsource.base.job import Job, Progress, Stop, stop_if
+from skinsource.design.comparing import related_limbs
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import choose_rig
@@ -25,7 +26,7 @@ from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui import pages
 from skinsource_gui.panels.calibration.steps import FOCUS, SWEEPS, CalibrationState
-from skinsource_gui.qt.questions import ask_to_save
+from skinsource_gui.qt.questions import ask_open, ask_to_save
 from skinsource_gui.qt.resources import read_text
 from skinsource_gui.state.job_runner import JobProgress
 from skinsource_gui.state.panel import Panel
@@ -35,6 +36,7 @@ from skinsource_gui.state.worker import fault_text
 
 if TYPE_CHECKING:
     from skinsource.lab.calibrating import Calibration, Measured, StandIn, Verification
+    from skinsource.people import PartialLimb
     from skinsource_gui.panels.calibration.panel import CalibrationPanel
 
 _PANEL = "calibration"
@@ -42,6 +44,20 @@ _PANEL = "calibration"
 WAVEFORM, LEVEL = Tone(frequency_hz=100.0, duration_s=0.2), 0.3
 _FILES = "Partial limbs (*.h5);;All files (*)"
 _STOPPED = "Stopped. Nothing new was stored."
+
+
+def _opened(path: Path, progress: Progress, stop: Stop) -> "PartialLimb":
+    return people.open_partial(path)
+
+
+def _focus_of(
+    opened: "PartialLimb", output: int, progress: Progress, stop: Stop
+) -> "tuple[Design, None]":
+    """Return the design of a focus on somebody who was opened; synthetic people have their kind."""
+    like, others = opened.like, None
+    if facts_of(like).synthetic:
+        others = [name for name in related_limbs(like) if name != like]
+    return people.focus(opened, output, others=others).design(WAVEFORM, level=LEVEL), None
 
 
 class Calibrating(QObject):
@@ -121,8 +137,11 @@ class Calibrating(QObject):
 
     def _follow_outputs(self) -> None:
         """Take over the output that was selected last, until something is played."""
-        outputs = self._document.view.outputs
-        if self._panel is not None and outputs and not self.state.places:
+        outputs, opened = self._document.view.outputs, self.state.opened
+        free = not self.state.places
+        if opened is not None:
+            free = bool(outputs) and outputs[-1] in opened.outputs
+        if self._panel is not None and outputs and free:
             # The limb of the design may have more.
             output = min(outputs[-1], facts_of(self.state.sitting.like).n_outputs)
             self._put(sitting=replace(self.state.sitting, output=output))
@@ -149,6 +168,7 @@ class Calibrating(QObject):
             rows=(),
             found=None,
             verification=None,
+            opened=None,
             said=CalibrationState.said,
             warns=False,
         )
@@ -235,7 +255,7 @@ class Calibrating(QObject):
             return
         places = tuple(channel.place for channel in station.rig.channels)
         sitting = replace(state.sitting, like=like)
-        self._put(sitting=sitting, places=places, step=SWEEPS, rows=())
+        self._put(sitting=sitting, places=places, step=SWEEPS, rows=(), opened=None)
         self._measure(station, None)
 
     def _repeat(self) -> None:
@@ -285,6 +305,33 @@ class Calibrating(QObject):
         self._put(found=found, rows=found.rows, verification=None, said=said, warns=warns)
         self._unsaved = self.state.has_partial and not self.state.stand_in
 
+    def _open(self) -> None:
+        """Ask for a partial limb file, and take the person in it in place of a measured one."""
+        if not self.may_lose():
+            return
+        path = ask_open(self._window, "Open a measured person", _FILES, self._preferences.folder)
+        if path is not None:
+            self._preferences.folder = path.parent
+            work = partial(_opened, path)
+            self._run("Opening a measured person", work, partial(self._take_opened, path))
+
+    def _take_opened(self, path: Path, opened: "PartialLimb") -> None:
+        self._unsaved = False
+        person, output = printable(opened.person), opened.outputs[0]
+        sitting = replace(self.state.sitting, person=person, like=opened.like, output=output)
+        self._put(
+            sitting=sitting,
+            step=SWEEPS,
+            places=opened.inputs,
+            rows=(),
+            found=None,
+            verification=None,
+            opened=opened,
+            said=f"Opened {path.name}. Focus here makes a design, which is not verified.",
+            warns=False,
+        )
+        self._document.look(replace(self._document.view, outputs=(output,)))
+
     def _save(self) -> bool:
         """Ask for a file and write the partial limb; return whether that was done."""
         start = self._preferences.folder / f"{self._file_name}.h5"
@@ -314,6 +361,10 @@ class Calibrating(QObject):
 
     def _focus(self) -> None:
         """Make the design that is strong at the sensor and quiet elsewhere."""
+        opened, output = self.state.opened, self.state.sitting.output
+        if opened is not None:
+            self._run("Focusing", partial(_focus_of, opened, output), self._take_focus)
+            return
         found, others = self._found, getattr(self._station, "others", None)
 
         def work(progress: Progress, stop: Stop) -> "tuple[Design, Verification]":
@@ -332,19 +383,22 @@ class Calibrating(QObject):
 
         self._run("Focusing", work, self._take_focus)
 
-    def _take_focus(self, focused: "tuple[Design, Verification]") -> None:
-        (design, begun), sitting = focused, self._found.sitting
+    def _take_focus(self, focused: "tuple[Design, Verification | None]") -> None:
+        (design, begun), state, rig = focused, self.state, self._player.settings.rig
+        sitting, ahead = state.sitting, ""
+        if begun is not None:
+            sitting, rig, ahead = begun.found.sitting, begun.found.rig, " Press Verify."
         title = f"Focus of {sitting.person}: {output_name(sitting.output, sitting.like).name}"
         seen = self._document.view
         view = replace(seen, outputs=(sitting.output,), selected_inputs=(), selected_clips=())
         edit: Any = Edit(label="Focus here", design=replace(design, title=title), view=view)
-        if not self.state.stand_in:
-            rigged = choose_rig(edit.design, view, self._found.rig)
+        if not state.stand_in:
+            rigged = choose_rig(edit.design, view, rig)
             edit = replace(rigged, label=edit.label) if isinstance(rigged, Edit) else rigged
         self._document.apply(edit)
         said = (
             f"The tracks now play the focus. The skin map shows what they do on "
-            f"{limb_label(sitting.like).title}, not on {sitting.person}. Press Verify."
+            f"{limb_label(sitting.like).title}, not on {sitting.person}.{ahead}"
         )
         self._focused = said, self._document.design
         self._put(verification=begun, step=FOCUS, said=said, warns=False)
@@ -353,7 +407,8 @@ class Calibrating(QObject):
         """Say that the tracks play the focus only as long as they do."""
         said, design = self._focused
         if said and self.state.said == said and self._document.design != design:
-            self._put(said="Verify plays the focus.")
+            verifies = self.state.verification is not None
+            self._put(said="Verify plays the focus." if verifies else "")
 
     def _verify(self) -> None:
         """Play the focus, and compare the sensor with the prediction, at one place or all."""

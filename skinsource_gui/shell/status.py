@@ -18,6 +18,7 @@ from skinsource.engine.gains import TraceError
 from skinsource_gui.panels.skin.settings import (
     LEVELS,
     MAGNITUDE,
+    PEOPLE,
     RMS,
     SENSATION,
     SKIN,
@@ -163,6 +164,7 @@ class EditClock(QObject):
 #: What the map shows, by the quantity of its settings.
 _PREDICTED = {
     LEVELS: "acceleration",
+    PEOPLE: "acceleration, mean of people",
     SENSATION: "sensation level",
     Z: "acceleration along z",
     MAGNITUDE: "magnitude of acceleration",

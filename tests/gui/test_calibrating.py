@@ -4,6 +4,7 @@ import json
 import threading
 from dataclasses import replace
 
+import h5py
 import pytest
 from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox, QToolButton
 
@@ -13,6 +14,7 @@ from skinsource.base.errors import Stopped
 from skinsource.lab.calibrating import StandIn
 from skinsource.limbs.locations import output_name
 from skinsource_gui.panels.calibration.steps import FOCUS, MOUNTING, SWEEPS
+from skinsource_gui.shell import calibrating
 
 WAIT = {"timeout": 60_000}
 INPUTS = (7, 12, 18)
@@ -112,6 +114,95 @@ def test_the_stand_in_person_is_calibrated_focused_on_and_verified(
     bench.press("start")
     assert panel.verdict.text() == "Nothing is measured yet."
     assert not panel.buttons["verify"].isEnabled()
+
+
+def test_a_saved_person_is_opened_and_focused_on_as_right_after_calibrating(
+    bench, window, answers, tmp_path
+):
+    panel, path = bench.panel, tmp_path / "p07.h5"
+    panel.cells["output"].field.choose("52")
+    bench.press("start")
+    bench.press("focus")
+    measured = window.document.design
+    found = bench.state.found
+    ss.people.save_partial(path, replace(found.partial, person="p07\n" + 200 * "x"))
+    bench.calibrating._choose_station(True)
+    bench.calibrating._put(step=MOUNTING)
+    assert not panel.buttons["focus"].isEnabled()
+    answers["open"] = str(path)
+    bench.press("open")
+    assert panel.message.text().startswith("Opened p07.h5. Focus here")
+    assert (bench.state.step, bench.results()) == (SWEEPS, ["from the file"] * 3)
+    assert panel.findChild(QLabel, "calibration_whom").text().endswith(output_name(52).name)
+    # Nothing else of it can be done.
+    assert [name for name, button in panel.buttons.items() if button.isEnabled()] == [
+        "open",
+        "start",
+        "focus",
+    ]
+    bench.press("focus")
+    focused = window.document.design
+    assert focused.inputs == measured.inputs
+    assert focused.title.startswith("Focus of p07")
+    assert panel.message.text().startswith("The tracks now play the focus.")
+    assert "Verify" not in panel.message.text()
+    assert panel.verdict.text().startswith("Not verified: opened from a file.")
+    assert not panel.buttons["verify"].isEnabled()
+    window.document.undo_stack.undo()
+    assert panel.message.text() == ""
+    bench.press("start")
+    assert (bench.state.opened, bench.results()) == (None, ["accepted"] * 3)
+
+
+def test_of_several_measured_places_one_is_chosen_on_the_skin(bench, window, answers, tmp_path):
+    path = tmp_path / "two.h5"
+    ss.people.save_partial(path, ss.people.partial("synthetic-2", [9, 21]))
+    answers["open"] = str(path)
+    bench.press("open")
+    assert window.document.view.outputs == (9,)
+    for clicked in (21, 30):
+        window.document.look(replace(window.document.view, outputs=(clicked,)))
+        assert bench.state.sitting.output == 21
+    bench.press("focus")
+    others = [f"synthetic-{k}" for k in (1, 3, 4)]
+    expected = ss.people.focus(ss.people.open_partial(path), 21, others=others)
+    design = expected.design(calibrating.WAVEFORM, level=calibrating.LEVEL)
+    assert window.document.design.inputs == design.inputs
+
+
+def test_a_damaged_person_is_one_error_and_nothing_changes(bench, answers, tmp_path):
+    bench.press("start")
+    before, path = bench.state, tmp_path / "p07.h5"
+    ss.people.save_partial(path, before.found.partial)
+    with h5py.File(path, "a") as file:
+        file["responses"][0, 0, 2, 100] += 1.0
+    answers["open"] = str(path)
+    bench.press("open")
+    assert "p07.h5: its checksum is another one" in bench.panel.message.text()
+    assert (bench.state.found, bench.state.opened, bench.state.rows) == (
+        before.found,
+        None,
+        before.rows,
+    )
+
+
+def test_what_a_rig_measured_is_not_lost_by_opening_somebody_without_a_question(
+    bench, answers, tmp_path
+):
+    bench.press("start")
+    answers["open"] = str(tmp_path / "p07.h5")
+    bench.calibrating._put(stand_in=False, rig_title="Bench")
+    bench.calibrating._unsaved = True
+    bench.press("open")
+    assert answers["asked"] == ["What was measured is in no file. Save it?"]
+    assert bench.state.opened is None
+    answers["question"] = QMessageBox.StandardButton.Discard
+    # There is no such file, and what was measured is still there.
+    bench.press("open")
+    assert (bench.state.opened, bench.calibrating._unsaved) == (None, True)
+    ss.people.save_partial(tmp_path / "p07.h5", bench.state.found.partial)
+    bench.press("open")
+    assert (bench.state.found, bench.calibrating._unsaved) == (None, False)
 
 
 def test_the_place_of_the_sensor_is_the_output_that_is_clicked_on_the_skin(bench, window):

@@ -9,17 +9,17 @@ from PySide6.QtGui import QFontMetricsF, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource import Clip, Design, Input, View, actuators, edits, track
+from skinsource import Clip, Design, Input, View, actuators, edits, load_limb, track
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.design.effects.level import Fade
 from skinsource.design.panel_settings import TARGET, TargetSettings, brush_of, with_settings
-from skinsource.design.target import is_unsolved, target_in
+from skinsource.design.target import Target, is_unsolved, target_in
 from skinsource.design.waveforms import Layers, Tap, Tone
-from skinsource.inverse.aiming import aim_of
+from skinsource.inverse.aiming import aim, aim_of, ways
 from skinsource.inverse.focusing import Wish
-from skinsource_gui.panels.target.panel import head_text, level_text
+from skinsource_gui.panels.target.panel import head_text, over_text, row_of
 from tests.gui.timeline.bench import LanesBench
 
 START = Design(limb="synthetic-1", inputs=(track(7, Tone()),))
@@ -272,10 +272,23 @@ def test_of_a_limb_that_is_not_here_the_drives_stay(at_target, limb):
 
 @pytest.mark.parametrize(
     ("level_db", "text"),
-    [(-3.21, "−3.2 dB"), (4.0, "+4.0 dB"), (-20.1, "< −20 dB")],
+    [(-3.21, "+3.2 dB"), (4.0, "−4.0 dB"), (-20.1, "> 20 dB")],
 )
-def test_levels_are_not_deeper_than_the_model_is_exact(level_db, text):
-    assert level_text(level_db) == text
+def test_strong_outputs_are_told_to_be_over_others_by_no_more_than_the_model_is_exact(
+    level_db, text
+):
+    assert over_text(level_db) == text
+
+
+def test_columns_have_the_signs_of_the_library():
+    target = Target(strong=(30,), waveform=Tone(frequency_hz=100.0, duration_s=1.0))
+    aimed = aim(target, load_limb("synthetic-1"))
+    way, focus = ways(aimed)[2], aimed.focus
+    at_tone = int(np.abs(focus.frequencies_hz - 100.0).argmin())
+    of_library = focus.loudest_other_db, focus.mean_contrast_db, focus.unseen_contrast_db
+    expected = [each[at_tone] for each in (*of_library, focus.contact_db)]
+    shown = [text.partition(" dB")[0] for text, _ in row_of(way, "synthetic-1")[1:5]]
+    assert [float(text.replace("−", "-")) for text in shown] == pytest.approx(expected, abs=1.0)
 
 
 def test_other_people_are_beside_it(at_target, preferences):
@@ -284,15 +297,15 @@ def test_other_people_are_beside_it(at_target, preferences):
     panel = window.panel(TARGET)
     first, *others = panel.people.people
     assert [each.title for each in others] == ["Synthetic 3", "Synthetic 4"]
-    assert panel.people_head.text() == "Same drives, other limbs: loudest other along z"
+    assert panel.people_head.text() == "Same drives, other limbs: over the loudest other along z"
     levels = first.shown.levels_db[:42] - first.shown.levels_db[29]
     assert first.loudest_db == np.delete(levels, 29).max()
     loudest = replace(first, loudest_db=12.3)
     panel.people.show_people((loudest, *others), (30,))
-    assert "Synthetic 2: loudest other +12.3 dB" in panel.people.toolTip()
+    assert "Synthetic 2: −12.3 dB over the loudest other" in panel.people.toolTip()
     assert panel.people.range_db == (-30.0, 13.0)
     heads = [head_text(loudest, QFontMetricsF(panel.font()), room) for room in (200.0, 20.0)]
-    assert heads == ["Synthetic 2\n+12.3 dB", "2\n+12.3 dB"]
+    assert heads == ["Synthetic 2\n−12.3 dB", "2\n−12.3 dB"]
 
 
 def test_its_clips_lead_back_to_it(qtbot):

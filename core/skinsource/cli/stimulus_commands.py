@@ -70,6 +70,8 @@ def add_to(subparsers: Any) -> None:
     add_time("--rate", type=int, metavar="HZ", help="sample rate (default: that of the format)")
     for flag, (name, description) in _TIME_OPTIONS.items():
         add_time(flag, dest=name, type=float, metavar="S", help=f"{description}, in s")
+    text = "write the range between people into the sidecar"
+    add("--people", action="store_true", help=text)
     _add_channels(parser.add_argument_group("channels").add_argument)
     _add_numbers(parser.add_argument_group("numbers").add_argument)
     _add_rig(parser.add_argument_group("rig").add_argument)

@@ -169,6 +169,8 @@ RANGE_BETWEEN_PEOPLE = (
     "range between people: predicted from three, it held 78 to 97 % of the fourth one's levels; "
     "four people, one posture"
 )
+#: Why there is none.
+NO_RANGE = "A range between people is known on published limbs alone."
 #: Half of 90 % of a normal distribution, in standard deviations.
 _HALF = 1.645
 
@@ -178,6 +180,12 @@ def half_width_db(people_db: Floats) -> float:
     n_people = len(people_db)
     variance = people_db.var(axis=0, ddof=1).mean()
     return float(_HALF * np.sqrt(variance * (1.0 + 1.0 / n_people)))
+
+
+def range_sentences(half_db: float | None) -> str:
+    """Return how wide a range is at every place, if that is known, and what it is."""
+    half = "" if half_db is None else f"±{half_db:.1f} dB at every place. "
+    return f"{half}{RANGE_BETWEEN_PEOPLE[0].upper()}{RANGE_BETWEEN_PEOPLE[1:]}"
 
 
 def _outputs_in(region: str, side: str = "") -> tuple[int, ...]:
@@ -197,6 +205,18 @@ REGION_OUTPUTS: dict[str, tuple[int, ...]] = {
     "Forearm": _outputs_in("forearm"),
     "Elbow": _outputs_in("elbow"),
 }
+
+
+def published_range_db(people_db: Floats) -> tuple[Floats, float]:
+    """Return the mean, (n_outputs,), and half the width of the range of people.
+
+    Parameters
+    ----------
+    people_db : (n_people, n_outputs)
+        Levels on published limbs; the width is pooled over the hand.
+    """
+    hand = np.array([*REGION_OUTPUTS["Digits"], *REGION_OUTPUTS["Back of the hand"]]) - 1
+    return people_db.mean(axis=0), half_width_db(people_db[:, hand])
 
 
 def region_levels_db(rms: ArrayLike) -> dict[str, float]:

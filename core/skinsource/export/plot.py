@@ -33,6 +33,7 @@ from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import FilePath
 from skinsource.base.job import Progress, Stop, never, silent
+from skinsource.design.comparing import range_sentences
 from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.labels import limb_label, signal_label
 from skinsource.engine.evaluation import evaluate
@@ -43,6 +44,7 @@ from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.limbs.surface.surface import surface_operator
+from skinsource.people import ranges
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.windows import Windows
 from skinsource.signals.map_range import map_range_db
@@ -222,7 +224,7 @@ _NOISE_REACH = 0.08
 _STROKES, _STROKE_COLOUR = "//////", "#B0B0B0"
 #: What strokes over a map mean.
 HATCHED = f"Hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise of the measurement"
-_MAP_FIGURE_MM = (75.0, 115.0)
+_MAP_FIGURE_MM, _PEOPLE_FIGURE_MM = (75.0, 115.0), (170.0, 115.0)
 _LEVEL = "dB re 1 m/s²"
 
 
@@ -295,8 +297,72 @@ def map(
         )
         if is_new:
             default = "difference (dB)" if signed else _LEVEL
-            _finish_map(target, image, levels, default if label is None else label)
+            note = _map_note(levels.limb, bool(levels.noisy))
+            _finish([target], image, default if label is None else label, note)
     return target.figure
+
+
+@checking
+def people(
+    design: Design,
+    *,
+    view: View | None = None,
+    limbs: Sequence[Limb | str] | None = None,
+    range_db: Range | None = None,
+    title: str = "",
+) -> Any:
+    """Draw the range between people: its low end, mean and high end, all in one colour scale.
+
+    Parameters
+    ----------
+    design
+        What plays; the limbs of its limb's kind are the people unless ``limbs`` names others.
+    view, limbs
+        As of `skinsource.people.levels`.
+    range_db
+        Levels of the lowest and the highest colour; from the loudest output of the high end 50 dB
+        down unless given.
+    title
+        Title above it.
+
+    Returns
+    -------
+    The figure.
+
+    Raises
+    ------
+    InvalidInputError
+        The limb is no published one, or the people are too few or have other places.
+    DatasetMissingError
+        The measured dataset is needed, and not installed.
+    MissingExtraError
+        matplotlib is not installed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> figure = ss.plot.people(ss.Design(limb="synthetic-1", inputs=(tone,)))
+    >>> [axes.get_title() for axes in figure.axes[:3]]
+    ['Low end', 'Mean of 4', 'High end']
+    """
+    chosen = ranges.people_like(design.limb) if limbs is None else limbs
+    found = ranges.levels(design, view, limbs=chosen)
+    limb = limb_of(chosen[0])
+    ends = {"Low end": found.low_db, f"Mean of {len(found.names)}": found.mean_db}
+    ends["High end"] = found.high_db
+    plain = levels_of(found.mean_db, limb, None)
+    places = tuple(sorted({track.location for track in audible_inputs(design.inputs)}))
+    levels = [replace(plain, values=values, places=places) for values in ends.values()]
+    figure = new_figure(*_PEOPLE_FIGURE_MM)
+    with style():
+        maps = list(figure.subplots(1, len(ends)))
+        colours = common_range(found.high_db) if range_db is None else range_db
+        image = draw_maps(maps, levels, colours, tuple(ends))
+        words = range_sentences(float(found.high_db[0] - found.mean_db[0]))
+        _finish(maps, image, _LEVEL, "\n".join(filter(None, (words, _map_note(limb, noisy=False)))))
+        figure.suptitle(title, fontsize=9)
+    return figure
 
 
 def _is_difference(values: Floats) -> bool:
@@ -311,14 +377,14 @@ def signed_range(values: Floats) -> Range:
     return -limit, limit
 
 
-def _finish_map(ax: Any, image: Any, levels: Levels, label: str) -> None:
-    """Draw a colour bar, and what has to be known of the map."""
-    bar = ax.figure.colorbar(image, ax=[ax], shrink=0.55, aspect=18, pad=0.02)
+def _finish(maps: list[Any], image: Any, label: str, note: str) -> None:
+    """Draw a colour bar, and what has to be known of the maps."""
+    figure = maps[0].figure
+    bar = figure.colorbar(image, ax=maps, shrink=0.55, aspect=18, pad=0.02)
     bar.set_label(label)
     bar.outline.set_linewidth(0.5)
-    note = _map_note(levels.limb, bool(levels.noisy))
     if note:
-        ax.figure.text(0.5, 0.01, note, ha="center", color=DIM, fontsize=6)
+        figure.text(0.5, 0.01, note, ha="center", color=DIM, fontsize=6)
 
 
 def _map_note(limb: Limb, noisy: bool) -> str:
@@ -1160,7 +1226,8 @@ class _Shot:
             colours = (-end if self._signed else 0.0, end)
             self._image = draw_map(self._ax, still, colours, title="\n", signed=self._signed)
             label = "z (m/s²)" if self._signed else "magnitude (m/s²)"
-            _finish_map(self._ax, self._image, levels, label)
+            note = _map_note(levels.limb, bool(levels.noisy))
+            _finish([self._ax], self._image, label, note)
             # Colour bar and note are drawn once.
             self._ax.set_animated(True)
             self._canvas.draw()

@@ -435,7 +435,7 @@ def sentences(aim: Aim, found: tuple[Way, Way, Way], design: Design) -> tuple[st
         gain_db = round(single.between_db - own.between_db, 1)
         said.append(_between(len(aim.places), gain_db, judged=not limited))
     if own.quiet_db < DEEPEST_DB:
-        said.append(f"What is quiet is below {DEEPEST_DB:g} dB in the model.")
+        said.append(f"What is quiet is more than {-DEEPEST_DB:g} dB below in the model.")
     if others := tracks_beside(design):
         said.append(f"The rows leave out {counted(others, 'other track')}.")
     return tuple(said)

@@ -9,12 +9,12 @@ import numpy as np
 
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import Floats, axes_of, axes_text
-from skinsource.base.errors import InvalidInputError
-from skinsource.design.comparing import half_width_db
+from skinsource.base.errors import InvalidInputError, quoted
+from skinsource.design.comparing import NO_RANGE, half_width_db, related_limbs
 from skinsource.design.design import Design, Input, View, audible_inputs
 from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.limb import Limb
+from skinsource.limbs.limb import PUBLISHED, Limb
 from skinsource.people.carrying import carried
 from skinsource.people.others import check_same_places, hand_outputs, people_of
 from skinsource.people.partial_limb import PartialLimb
@@ -89,21 +89,46 @@ def levels(
     (3, 72)
     """
     people = people_of(limbs, 2, but="" if own is None else own.person)
-    view = View() if view is None else view
-    people_db = np.stack([_Player(limb, view).levels_db(design) for limb in people])
-    hand = np.array(hand_outputs(people[0])) - 1
-    mean_db: Floats = people_db.mean(axis=0)
-    half_db: Floats = np.full(people_db.shape[1], half_width_db(people_db[:, hand]))
-    if own is not None:
-        check_same_places(own.limb, people[0])
-        mean_db, half_db = _drawn_in(design, view, own, people, mean_db, half_db)
-    return Range(
-        names=tuple(limb.name for limb in people),
-        people_db=people_db,
-        mean_db=mean_db,
-        low_db=mean_db - half_db,
-        high_db=mean_db + half_db,
-    )
+    return People(people, View() if view is None else view).range_of(design, own)
+
+
+def people_like(limb: str) -> tuple[str, ...]:
+    """Return the names of the people whose range a design on a limb has: those of its kind.
+
+    Raises
+    ------
+    InvalidInputError
+        The limb is no published one.
+    """
+    if limb not in PUBLISHED:
+        raise InvalidInputError(f"{NO_RANGE} Leave it out, or choose another than {quoted(limb)}.")
+    return related_limbs(limb)
+
+
+class People:
+    """Several people, of whom levels are computed again only where a design changes them."""
+
+    def __init__(self, people: Sequence[Limb], view: View) -> None:
+        self._people, self._view = people, view
+        self._players = [_Player(limb, view) for limb in people]
+
+    def range_of(self, design: Design, own: PartialLimb | None = None) -> Range:
+        """Return the range of a design, see `levels`."""
+        people, view = self._people, self._view
+        people_db = np.stack([player.levels_db(design) for player in self._players])
+        hand = np.array(hand_outputs(people[0])) - 1
+        mean_db: Floats = people_db.mean(axis=0)
+        half_db: Floats = np.full(people_db.shape[1], half_width_db(people_db[:, hand]))
+        if own is not None:
+            check_same_places(own.limb, people[0])
+            mean_db, half_db = _drawn_in(design, view, own, people, mean_db, half_db)
+        return Range(
+            names=tuple(limb.name for limb in people),
+            people_db=people_db,
+            mean_db=mean_db,
+            low_db=mean_db - half_db,
+            high_db=mean_db + half_db,
+        )
 
 
 class _Player:

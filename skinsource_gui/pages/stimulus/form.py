@@ -24,6 +24,7 @@ from skinsource.engine.stimulus import LONGEST_LEAD_IN_S
 from skinsource.export.formats import FORMATS, format_named
 from skinsource.export.formats.format import StimulusFormat
 from skinsource.export.stimulus_export.options import StimulusOptions
+from skinsource.limbs.limb import PUBLISHED
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec, ValidationError
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -128,6 +129,7 @@ _MAP_HINT = "Channel of each device output, in order: 2, 1, 0, 3; 0: silent"
 _BOX_HINTS = {
     "sync": "Adds a channel with a full-scale pulse at time 0",
     "dither": "Adds noise of one step before rounding",
+    "people": "Adds the levels to expect of other people to the sidecar",
     "advanced": "Channels, fades, lead-in, full scale, and more of the format",
 }
 #: Names of the rows; choices of a format follow what it is about.
@@ -135,6 +137,7 @@ _ROWS = (
     "format", "about", "rate", "other_rate", "plays", "actuator", "equaliser", "rig", "time",
     "from", "to", "advanced", *OF_EQUALISER, "channels", "map", "fade_in", "fade_out", "lead_in",
     "tail", "scale", "full_scale", "sync", "dither",
+    "people",
 )  # fmt: skip
 #: Rows that fold away, as all choices of a format but the first do.
 _ADVANCED = frozenset(_ROWS[_ROWS.index("advanced") + 1 :])
@@ -203,6 +206,7 @@ class StimulusForm(QtWidgets.QWidget):
         self._boxes: dict[str, Any] = {
             "sync": QtWidgets.QCheckBox("Sync channel"),
             "dither": QtWidgets.QCheckBox("Dither"),
+            "people": QtWidgets.QCheckBox("Range between people"),
             "advanced": tool_button(None, "", "Advanced", checkable=True),
         }
         self._boxes["advanced"].setAccessibleName("Advanced")
@@ -341,6 +345,7 @@ class StimulusForm(QtWidgets.QWidget):
             "scale": not self._scale_is_known,
             "full_scale": self._own_scale,
             "dither": format.rounds(self.chosen),
+            "people": design.limb in PUBLISHED,
         }
         unfolded = self._boxes["advanced"].isChecked()
         arrow = Qt.ArrowType.DownArrow if unfolded else Qt.ArrowType.RightArrow
@@ -357,15 +362,16 @@ class StimulusForm(QtWidgets.QWidget):
         return {name: field.value for name, field in self._choices.items()}
 
     def _order(self) -> Order:
-        chosen, format, numbers = self.chosen, self.format, self._numbers
+        design, numbers = self._design, self._numbers
+        chosen, format = self.chosen, self.format
         plays, channels = self._fields["plays"].value, self._fields["channels"].value
         rate, time = self._fields["rate"].value, self._fields["time"].value
         from_s: float | None = None
         to_s: float | None = None
         if time == "part":
             from_s, to_s = numbers["from"].value_si, numbers["to"].value_si
-        elif time == "loop" and self._design.loop_s is not None:
-            from_s, to_s = self._design.loop_s
+        elif time == "loop" and design.loop_s is not None:
+            from_s, to_s = design.loop_s
         options = StimulusOptions(
             per="place" if channels == "place" else "input",
             one_file_per_input=channels == "files",
@@ -383,6 +389,7 @@ class StimulusForm(QtWidgets.QWidget):
             dither_seed=(
                 _SEED if format.rounds(chosen) and self._boxes["dither"].isChecked() else None
             ),
+            people=design.limb in PUBLISHED and self._boxes["people"].isChecked(),
             choices=chosen,
         )
         return Order(
@@ -423,7 +430,7 @@ def channel_map_of(text: str) -> tuple[int, ...]:
 # Fields that are remembered; times, drives and channel maps belong to a design.
 _LISTS = ("format", "rate", "channels")
 _NUMBERS, _SILENCES = ("other_rate", "fade_in", "fade_out"), ("lead_in", "tail")
-_BOXES = ("sync", "dither", "advanced")
+_BOXES = ("sync", "dither", "people", "advanced")
 _MOST_CHARACTERS = 10_000
 
 

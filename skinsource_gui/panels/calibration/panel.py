@@ -215,10 +215,11 @@ class CalibrationPanel(Panel):
         rests, found = not state.running, state.found
         self.grid.setEnabled(rests)
         can = {
+            "open": True,
             "start": not missing,
             "repeat": found is not None and not found.accepted and not missing,
             "save": state.has_partial,
-            "focus": state.has_partial,
+            "focus": state.has_partial or state.opened is not None,
             "verify": state.verification is not None and not missing,
             "report": state.verification is not None,
         }
@@ -250,7 +251,7 @@ class CalibrationPanel(Panel):
         sweeps = in_row(buttons["repeat"], None, buttons["save"], buttons["focus"])
         verified = in_row(buttons["report"], None, buttons["verify"])
         rows = (
-            ((fields, 1), in_row(self.arm, (self._lacks, 1), buttons["start"])),
+            ((fields, 1), in_row(self.arm, (self._lacks, 1), buttons["open"], buttons["start"])),
             ((self.sweeps, 1), sweeps),
             (self.verdict, (self.verified, 1), verified),
         )

@@ -9,6 +9,7 @@ from skinsource_gui.fields.units import minus
 if TYPE_CHECKING:
     from skinsource.lab.calibrating import Calibration, Measured, Sitting, Verification
     from skinsource.lab.rig_measuring.measurement import MeasuringSetup
+    from skinsource.people import PartialLimb
 
 #: Steps, by their numbers from 0.
 MOUNTING, SWEEPS, FOCUS = range(3)
@@ -17,6 +18,7 @@ _INTRODUCTION = (
     "at the sensor. What other places do comes from other people."
 )
 _NOTHING = "Nothing is measured yet."
+_OPENED = "Not verified: opened from a file. Verifying needs a new measurement."
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -39,6 +41,8 @@ class CalibrationState:
         Inputs that were measured so far.
     found, verification
         Results; None: there are none yet, and no focus.
+    opened
+        Who was opened from a file in place of measuring; None: nobody.
     running
         Whether something is played or computed.
     said, warns
@@ -54,6 +58,7 @@ class CalibrationState:
     rows: "tuple[Measured, ...]" = ()
     found: "Calibration | None" = None
     verification: "Verification | None" = None
+    opened: "PartialLimb | None" = None
     running: bool = False
     said: str = _INTRODUCTION
     warns: bool = False
@@ -83,6 +88,8 @@ def sweep_rows(state: CalibrationState) -> list[list[tuple[str, str]]]:
         if row is not None:
             result = " ".join(row.failures) or "accepted"
             texts[1:] = [result, f"{100 * row.coherent:.0f} %", f"{100 * row.peak:.2g} %"]
+        elif state.opened is not None:
+            texts[1] = "from the file"
         rows.append([(text, name.name if not k else text) for k, text in enumerate(texts)])
     return rows
 
@@ -105,5 +112,5 @@ def verified_rows(state: CalibrationState) -> list[list[tuple[str, str]]]:
 
 def verdict(state: CalibrationState) -> str:
     """Return in words whether a focus was verified."""
-    verified = state.verification
-    return _NOTHING if verified is None else minus(verified.words)
+    verified, unverified = state.verification, _NOTHING if state.opened is None else _OPENED
+    return unverified if verified is None else minus(verified.words)

@@ -13,12 +13,12 @@ from skinsource.base.conventions import Axes, Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.design.comparing import (
     MOST_SIDE_BY_SIDE,
-    RANGE_BETWEEN_PEOPLE,
-    REGION_OUTPUTS,
+    NO_RANGE,
     difference_db,
     frequency_of,
-    half_width_db,
     mean_and_spread_over,
+    published_range_db,
+    range_sentences,
     same_outputs,
     scale_end_db,
     snapshot_name,
@@ -218,8 +218,6 @@ class CompareContent:
         return f"{output_text(output, drawn[0].limb)}: {values}"
 
 
-# Outputs over which a range between people is pooled: those of the hand.
-_HAND = np.array([*REGION_OUTPUTS["Digits"], *REGION_OUTPUTS["Back of the hand"]]) - 1
 # Levels that differ by less are shown as the same.
 _LEAST_DB = 0.05
 
@@ -328,8 +326,7 @@ def of_spread(
 def about_range(cells: Sequence[Cell]) -> str:
     """Return what a range between people is, and its half width where it is drawn."""
     values = [cell.values_db for cell in cells if cell.values_db is not None]
-    half = f"±{values[1][0] - values[0][0]:.1f} dB at every place. " if values else ""
-    return f"{half}{RANGE_BETWEEN_PEOPLE[0].upper()}{RANGE_BETWEEN_PEOPLE[1:]}"
+    return range_sentences(float(values[1][0] - values[0][0]) if values else None)
 
 
 def _range(
@@ -342,8 +339,8 @@ def _range(
 ) -> tuple[Cell, ...]:
     """Return the low end, the mean and the high end of the range between people."""
     if plain.limb not in PUBLISHED:
-        return (replace(plain, text="A range between people is known on published limbs alone."),)
-    mean, half_db = levels_db.mean(axis=0), half_width_db(levels_db[:, _HAND])
+        return (replace(plain, text=NO_RANGE),)
+    mean, half_db = published_range_db(levels_db)
     ends = {"Low": mean - half_db, "Mean": mean, "High": mean + half_db}
     expected = {end: (f"{end}, expected", end) for end in ends}
     expected["Mean"] = f"Mean {of_whom}", "Mean"

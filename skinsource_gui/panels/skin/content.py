@@ -9,7 +9,7 @@ import numpy as np
 from skinsource.base.conventions import Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import sentence
-from skinsource.design.comparing import match_text
+from skinsource.design.comparing import match_text, published_range_db, range_sentences
 from skinsource.design.design import Design, View, audible_indices
 from skinsource.design.panel_settings import brush_of
 from skinsource.design.target import target_in
@@ -22,6 +22,7 @@ from skinsource.signals.map_range import map_range_db
 from skinsource_gui.panels.skin.settings import (
     LEVELS,
     MAGNITUDE,
+    PEOPLE,
     RMS,
     SENSATION,
     SILENT_RANGE,
@@ -180,6 +181,7 @@ class MapContent:
 #: By quantity: names of the results at the outputs and over the skin.
 _NAMES = {
     LEVELS: ("output_levels_db", "surface_levels_db"),
+    PEOPLE: ("mean_of_people_db", ""),
     SENSATION: ("sensation_db", "surface_sensation_db"),
     Z: ("moving_z", ""),
     MAGNITUDE: ("moving_vector", ""),
@@ -197,13 +199,21 @@ def signals_name(quantity: str) -> str:
 
 def needs_of(settings: SkinSettings) -> frozenset[str]:
     """Return the results that `content_of` needs."""
-    at_outputs, over_skin = _NAMES[settings.quantity]
+    # A mean of people is made of levels on limbs.
+    of_limb = LEVELS if settings.quantity == PEOPLE else settings.quantity
+    at_outputs, over_skin = _NAMES[of_limb]
     needed = {"limb_map", "limb_data", "match_gain", "record_samples", at_outputs}
     if settings.quantity == SENSATION:
         needed.add("sensation")
     if settings.map_style == "interpolated":
         needed |= {"surface", over_skin} - {""}
     return frozenset(needed)
+
+
+def of_people(levels_db: Sequence[Floats]) -> dict[str, Any]:
+    """Return mean and half width of a range between people, as `content_of` takes them."""
+    mean_db, half_db = published_range_db(np.stack(levels_db))
+    return {_NAMES[PEOPLE][0]: mean_db, "half_db": half_db}
 
 
 def content_of(
@@ -241,6 +251,10 @@ def content_of(
     n_samples, limb_data = results.get("record_samples"), results.get("limb_data")
     if n_samples and limb_data is not None:
         quantity = replace(quantity, record_s=n_samples / limb_data.sample_rate_hz)
+    of_range = ""
+    if quantity.name == PEOPLE and "half_db" in results:
+        quantity = replace(quantity, half_db=results["half_db"])
+        of_range = f"{range_sentences(quantity.half_db)}."
     surface, field = results.get("surface"), None
     if settings.map_style == "sensors":
         surface = None
@@ -249,7 +263,7 @@ def content_of(
     values, field_values, message = _values(results, settings, view, surface)
     if problem:
         values, field_values, message = None, None, problem
-    limits = LIMITS if quantity.name == SENSATION else ""
+    limits = LIMITS if quantity.name == SENSATION else of_range
     drawn_note = " ".join(filter(None, (limits, *(() if surface is None else surface.warnings))))
     source = "" if problem else _source_note(limb_data)
     chosen, known = chosen_range(settings), results.get(_NAMES[settings.quantity][0])
@@ -316,6 +330,8 @@ def _values(
     if not known.size:
         return None, None, results["sensation"].problem
     message = SILENT if float(np.max(known)) <= FLOOR_DB else ""
+    if settings.quantity == PEOPLE:
+        return known, None if surface is None else surface.interpolate(known), message
     return known, None if surface is None else results.get(over_skin), message
 
 

@@ -132,9 +132,12 @@ def numbers_text(content: MapContent) -> str:
     """Return the value of each output for a spreadsheet, and what it is as a remark below."""
     quantity, values = content.quantity, content.coloured_values
     copied = copied_number if quantity.signed else copied_level
-    lines = [("output", "place", _COLUMNS.get(quantity.name, "level_db_re_1_m_per_s2"))]
+    levels, half_db = "level_db_re_1_m_per_s2", quantity.half_db
+    ends = {f"low_{levels}": -half_db, f"high_{levels}": half_db} if half_db else {}
+    lines = [("output", "place", _COLUMNS.get(quantity.name, levels), *ends)]
     for number, value in enumerate(() if values is None else values, 1):
-        lines.append((str(number), output_name(number, content.limb).name, copied(value)))
+        cells = (copied(value + by_db) for by_db in (0.0, *ends.values()))
+        lines.append((str(number), output_name(number, content.limb).name, *cells))
     return f"{tab_separated(lines)}# {' · '.join(filter(None, quantity.words))}\n"
 
 

@@ -18,6 +18,7 @@ from skinsource_gui.panels.skin.content import MapContent
 from skinsource_gui.panels.skin.settings import (
     LEVELS,
     MAP_STYLE,
+    PEOPLE,
     QUANTITY,
     RMS,
     RMS_WINDOW,
@@ -166,8 +167,8 @@ class MeasureLine(QtWidgets.QWidget):
         if before == (content.quantity, settings, view.axes):
             return
         # Other quantities are of axes and of a window of their own.
-        self.axes.setEnabled(settings.quantity in (LEVELS, RMS))
-        self.span.setEnabled(settings.quantity == LEVELS)
+        self.axes.setEnabled(settings.quantity in (LEVELS, PEOPLE, RMS))
+        self.span.setEnabled(settings.quantity in (LEVELS, PEOPLE))
         self.rms_window.setVisible(settings.quantity == RMS)
         self.rms_window.set_value(settings.rms_window_s)
         self._fit()
@@ -200,7 +201,7 @@ class MeasureLine(QtWidgets.QWidget):
         show_tooltip(self.unit, tooltip(unit, "Range, colours and style of the map"))
         # That levels are matched is said in any width.
         short_unit = self._content.quantity.matched or unit.split(" ")[0]
-        combined = self._settings.quantity in (LEVELS, RMS)
+        combined = self._settings.quantity in (LEVELS, PEOPLE, RMS)
         *axes, how = signal.split(", ")
         method = f"{''.join(axes)} {how.split(' ')[0]}".lstrip()
         shorter = method if combined else signal.split(" t")[0]

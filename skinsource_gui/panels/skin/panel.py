@@ -9,10 +9,12 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPoint, QSize, QSizeF, Qt
 
 from skinsource.design import edits
+from skinsource.design.comparing import NO_RANGE, range_sentences, related_limbs
 from skinsource.design.design import Design, Snapshot, View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.panel_settings import brush_of, settings_of, with_settings
 from skinsource.engine.time_rules import block_of
+from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.thresholds import LIMITS, LIMITS_IN_SHORT
 from skinsource_gui.panels.skin.content import (
@@ -22,6 +24,7 @@ from skinsource_gui.panels.skin.content import (
     is_whole,
     marks_of,
     needs_of,
+    of_people,
     painted_in,
     signals_name,
 )
@@ -37,6 +40,8 @@ from skinsource_gui.panels.skin.measure import MeasureLine
 from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
 from skinsource_gui.panels.skin.settings import (
+    LEVELS,
+    PEOPLE,
     SKIN,
     STILL,
     LevelRange,
@@ -109,6 +114,9 @@ class SkinPanel(Panel):
         self._compared: tuple[Compared, ...] = ()
         self._noisy: tuple[int, ...] = ()
         self._problem, self._covered, self._brush = "", False, ""
+        # The range between people, why there is none, and whether it is that of an older design.
+        self._people: Mapping[str, Any] = {}
+        self._no_people, self._older_people, self._older = "", False, False
         # The part of the response for which signals were requested last.
         self._block = 0
         self.content = MapContent()
@@ -135,7 +143,15 @@ class SkinPanel(Panel):
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
-        return frozenset({signals_name(self.settings.quantity)} if self._view.snapshots else ())
+        shown = self._view.snapshots and self.settings.quantity != PEOPLE
+        return frozenset({signals_name(self.settings.quantity)} if shown else ())
+
+    @property
+    def needs_on_limbs(self) -> Mapping[Any, frozenset[str]]:
+        limb = "" if self._design is None else self._design.limb
+        if self.settings.quantity != PEOPLE or limb not in PUBLISHED:
+            return {}
+        return dict.fromkeys(related_limbs(limb), frozenset({signals_name(LEVELS)}))
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
         return ()  # only their loudest levels count
@@ -171,8 +187,11 @@ class SkinPanel(Panel):
         before, self.settings = self.settings, settings_of(view, self.name, SkinSettings)
         if self.settings.quantity != before.quantity or chosen_range(self.settings):
             self.reset_range()
-        if not view.snapshots:
+        if not self.needs_of_snapshots:
             self._compared = ()
+        if not self.needs_on_limbs:
+            self._people, self._older_people = {}, False
+            self._no_people = NO_RANGE if self.settings.quantity == PEOPLE else ""
         self._brush = brush_of(view)
         self.map.show_brush(bool(self._brush))
         shown = view, facts_of(design.limb), marks_of(design, view), painted_in(design, view)
@@ -206,6 +225,21 @@ class SkinPanel(Panel):
             snapshot for snapshot in compared if needed <= (snapshot.values or {}).keys()
         )
         self._show()
+
+    def show_on_limbs(self, compared: Sequence[Compared]) -> None:
+        levels = [each.values[signals_name(LEVELS)] for each in compared if each.values]
+        self._no_people = next((each.problem for each in compared if each.problem), "")
+        self._older_people = any(each.is_stale for each in compared)
+        if len(levels) < len(compared):
+            self._people = {}
+        elif not self._older_people:
+            self._people = of_people(levels)
+        self.show_stale(self._older)
+        self._show()
+
+    def show_stale(self, stale: bool) -> None:
+        self._older = stale
+        super().show_stale(stale or self._older_people)
 
     def show_problem(self, reason: str) -> None:
         self._problem = reason
@@ -253,13 +287,13 @@ class SkinPanel(Panel):
         """Show what is known as design, view and settings ask for."""
         seen = self.seen
         self.content = content = content_of(
-            self._results,
+            {**self._results, **self._people},
             seen,
             self._view,
             self._design,
             noisy=self._noisy,
             compared=self._compared,
-            problem=self._problem,
+            problem=self._problem or self._no_people,
             steady=self._steady_range,
         )
         shown = content.covered if self._covered else content
@@ -267,6 +301,8 @@ class SkinPanel(Panel):
         self.colour_bar.show_content(shown)
         self.map.show_content(shown)
         in_short = content.note.replace(LIMITS, LIMITS_IN_SHORT).replace(*_SOURCE_IN_SHORT)
+        half_db = content.quantity.half_db
+        in_short = in_short.replace(range_sentences(half_db), f"±{half_db:.1f} dB between people")
         self.note.show_phrases((content.note, in_short))
         self.note.setToolTip(tooltip(content.note) if content.note else "")
         self.note.setVisible(bool(content.note))

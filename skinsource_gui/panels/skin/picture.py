@@ -15,7 +15,7 @@ from skinsource_gui.panels.skin.layout import ALL, VisiblePart, map_layout
 from skinsource_gui.panels.skin.map import paint_map_texts
 from skinsource_gui.panels.skin.painting import MapPainter, small_font
 from skinsource_gui.panels.skin.scale import scale_of
-from skinsource_gui.panels.skin.settings import SENSATION, MapQuantity
+from skinsource_gui.panels.skin.settings import PEOPLE, SENSATION, MapQuantity
 from skinsource_gui.plots.small_map import paint_scale_row, scale_row_px
 from skinsource_gui.qt.frames import UncachedPicture
 from skinsource_gui.qt.theme import Theme, tabular
@@ -48,7 +48,8 @@ def heading_of(design: Design | None, quantity: MapQuantity, note: str = "") -> 
         band_hz = facts_of(design.limb).band_hz
         if quantity.name == SENSATION and band_hz is not None:
             parts.append(f"{band_hz[0]:g} to {band_hz[1]:g} Hz")
-        parts = [limb_label(design.limb).title, *parts]
+        drawn_on = "drawn on " if quantity.name == PEOPLE else ""
+        parts = [f"{drawn_on}{limb_label(design.limb).title}", *parts]
     return Heading(title=quantity.heading, details=" · ".join(parts), note=note)
 
 

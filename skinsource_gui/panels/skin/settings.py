@@ -19,8 +19,10 @@ from skinsource_gui.qt.resources import choice_of, number_named
 LEVELS, Z, MAGNITUDE, RMS = "levels", "z", "magnitude", "rms"
 #: Level above the detection threshold.
 SENSATION = "sensation"
+#: What to expect of people who were not measured: mean and range of their levels.
+PEOPLE = "people"
 #: Quantities that are the same at any time.
-STILL = (LEVELS, SENSATION)
+STILL = (LEVELS, PEOPLE, SENSATION)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,7 +32,7 @@ class MapQuantity:
     Attributes
     ----------
     name
-        `LEVELS`, `SENSATION`, `Z`, `MAGNITUDE` or `RMS`.
+        `LEVELS`, `PEOPLE`, `SENSATION`, `Z`, `MAGNITUDE` or `RMS`.
     span
         What levels are the RMS over.
     signal
@@ -43,6 +45,8 @@ class MapQuantity:
         By how much it is louder or softer than it was stored, or "".
     record_s
         Length of the whole record, s; 0 where it is not known.
+    half_db
+        Half the width of the range between people, dB; 0: these values have none.
     """
 
     name: str = LEVELS
@@ -52,6 +56,7 @@ class MapQuantity:
     time_s: float = 0.0
     matched: str = ""
     record_s: float = 0.0
+    half_db: float = 0.0
 
     @property
     def signed(self) -> bool:
@@ -72,8 +77,9 @@ class MapQuantity:
     @property
     def words(self) -> tuple[str, str, str, str]:
         """The words of the measure line: what it is, of which axes, over what, in which unit."""
-        if self.name == LEVELS:
-            return "RMS", self.signal, f"{span_label(self.span)}{self._length}", self.unit
+        if self.name in (LEVELS, PEOPLE):
+            what = "RMS" if self.name == LEVELS else "Mean of people"
+            return what, self.signal, f"{span_label(self.span)}{self._length}", self.unit
         if self.name == SENSATION:
             return "Sensation level", self.signal, "loudest 100 ms", self.unit
         over = f"RMS over {self.window_s * 1e3:g} ms" if self.name == RMS else ""
@@ -90,6 +96,8 @@ class MapQuantity:
         """Title of a picture of the map."""
         if self.name == LEVELS:
             return f"Skin acceleration, {level_label(self.span)}{self._length}"
+        if self.name == PEOPLE:
+            return f"Mean of people, {level_label(self.span)}{self._length}"
         if self.name == SENSATION:
             return "Sensation level, loudest 100 ms"
         titles = {
@@ -103,6 +111,9 @@ class MapQuantity:
         """Return a value as text."""
         if self.name == LEVELS:
             return level_text(value, self.span)
+        if self.name == PEOPLE:
+            low, high = value - self.half_db, value + self.half_db
+            return minus(f"{value:z.1f} dB re 1 m/s²  ({low:z.1f} to {high:z.1f} between people)")
         if self.name == SENSATION:
             return minus(f"{value:+z.1f} dB above the detection threshold")
         if self.name == Z:
@@ -182,7 +193,7 @@ def in_motion(settings: SkinSettings, axes: str) -> SkinSettings:
 
 def chosen_range(settings: SkinSettings) -> Range | None:
     """Return the chosen range of the colours; None: they follow what is shown."""
-    if settings.quantity == LEVELS:
+    if settings.quantity in (LEVELS, PEOPLE):
         return settings.map_range_db
     own = {SENSATION: settings.sensation_range_db, Z: settings.z_limits}
     return own.get(settings.quantity, settings.moving_range_db)
@@ -190,7 +201,7 @@ def chosen_range(settings: SkinSettings) -> Range | None:
 
 def with_range(settings: SkinSettings, chosen: Range | None) -> SkinSettings:
     """Return settings in which the colours have this range, or follow what is shown."""
-    if settings.quantity == LEVELS:
+    if settings.quantity in (LEVELS, PEOPLE):
         return replace(settings, map_range_db=chosen)
     if settings.quantity == SENSATION:
         return replace(settings, sensation_range_db=chosen)

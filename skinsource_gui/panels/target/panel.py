@@ -59,17 +59,17 @@ _LOWEST_DB = -30.0
 _SPEC = ModelSpec(label="Target", kinds=lambda: (Target,))
 
 
-def level_text(level_db: float) -> str:
-    """Return a level re the strong outputs.
+def over_text(level_db: float) -> str:
+    """Return how far the strong outputs are over what has a level re them.
 
-    >>> level_text(-31.0)
-    '< −20 dB'
+    >>> over_text(-31.0)
+    '> 20 dB'
     """
     if isnan(level_db):
         return "not known"
     if level_db < DEEPEST_DB:
-        return minus(f"< {DEEPEST_DB:g} dB")
-    return minus(f"{level_db:+z.1f} dB")
+        return f"> {-DEEPEST_DB:g} dB"
+    return minus(f"{-level_db:+z.1f} dB")
 
 
 def row_of(way: Way, limb: str) -> tuple[tuple[str, str], ...]:
@@ -78,10 +78,10 @@ def row_of(way: Way, limb: str) -> tuple[tuple[str, str], ...]:
     speed = way.velocity_m_per_s
     return (
         (way.title, ""),
-        (f"{level_text(way.loudest_db)}, {name.short_name}", name.name),
-        (level_text(way.quiet_db), ""),
-        (level_text(way.between_db), ""),
-        (level_text(way.contact_db), ""),
+        (f"{over_text(way.loudest_db)}, {name.short_name}", name.name),
+        (over_text(way.quiet_db), ""),
+        (over_text(way.between_db), ""),
+        (over_text(way.contact_db), ""),
         (f"{way.effort_db:z.1f} dB", ""),
         ("not known" if isnan(speed) else f"{1e3 * speed:.2g} of {_LIMIT_MM_S:g}", ""),
     )
@@ -136,7 +136,9 @@ class PeopleMaps(QtWidgets.QWidget):
         self.range_db = _LOWEST_DB, max([0, *(ceil(each.loudest_db) for each in people)])
         low, high = self.range_db
         texts = [minus(f"Colours: {low:g} to {high:g} dB re the strong outputs of each")]
-        texts += [f"{each.title}: loudest other {level_text(each.loudest_db)}" for each in people]
+        texts += [
+            f"{each.title}: {over_text(each.loudest_db)} over the loudest other" for each in people
+        ]
         self.setAccessibleDescription("; ".join(texts))
         self.setToolTip("\n".join(texts))
         self.update()
@@ -161,9 +163,9 @@ class PeopleMaps(QtWidgets.QWidget):
 
 
 def head_text(person: Person, metrics: QtGui.QFontMetricsF, room_px: float) -> str:
-    """Return title and level of a small map; where there is no room, its number and level."""
+    """Return title of a small map, or its number, and how far strong outputs are over others."""
     title = fitting((person.title,), metrics, room_px) or person.title.split()[-1]
-    return f"{title}\n{level_text(person.loudest_db)}"
+    return f"{title}\n{over_text(person.loudest_db)}"
 
 
 class TargetPanel(FoundPanel):
@@ -260,7 +262,7 @@ class TargetPanel(FoundPanel):
             level = f"Each way gives {amplitude:.3g} m/s²{along} at the strong outputs. "
         self.about.setText(level + Target.limits)
         self.people.show_people(shown.people, self._target.strong)
-        self.people_head.setText(f"Same drives, other limbs: loudest other{along}")
+        self.people_head.setText(f"Same drives, other limbs: over the loudest other{along}")
         for part in (self.ways, self.people_head, self.people):
             part.setVisible(bool(shown.ways))
 

@@ -9,7 +9,13 @@ import pytest
 import soundfile
 
 import skinsource as ss
-from skinsource.base.errors import InvalidInputError, NotConfirmedError, Stopped, StorageError
+from skinsource.base.errors import (
+    DatasetMissingError,
+    InvalidInputError,
+    NotConfirmedError,
+    Stopped,
+    StorageError,
+)
 from skinsource.cli.command_line import main
 from skinsource.export.formats import arrays, format_named
 from skinsource.export.stimulus_export.export import written_files
@@ -374,6 +380,27 @@ def test_options_reach_the_file(saved, tmp_path, capsys):
     assert about["start_s"] == -0.1
     assert [channel["title"] for channel in about["channels"]] == ["Digit II, base", "Sync"]
     capsys.readouterr()
+
+
+def test_the_range_between_people_is_that_of_what_the_file_holds(saved, tmp_path):
+    out = tmp_path / "drive.wav"
+    call = ["export", str(saved), "--out", str(out), "--people", "--inputs", "2"]
+    assert main(call) == 0
+    about = json.loads((tmp_path / "drive.wav.json").read_text(encoding="utf-8"))
+    written, design = about["range_between_people"], ss.open_design(saved).design
+    alone = replace(design, inputs=design.inputs[1:2])
+    found = ss.people.levels(alone, limbs=written["people"])
+    for name in ("mean_db", "low_db", "high_db"):
+        np.testing.assert_allclose(written[name], getattr(found, name), atol=1e-9)
+    assert written["levels"] == "RMS over the whole record, x, y, z, principal axis"
+
+
+def test_without_the_people_nothing_is_written(tmp_path):
+    design = ss.Design(limb="measured-1", inputs=(ss.track(7),))
+    options = ss.StimulusOptions(people=True)
+    with pytest.raises(DatasetMissingError):
+        ss.export_stimulus(design, tmp_path / "drive.wav", options=options)
+    assert not list(tmp_path.iterdir())
 
 
 def test_it_never_asks_and_says_in_one_line_what_is_wrong(saved, tmp_path, capsys):

@@ -67,6 +67,7 @@ CASES = {
         DESIGN,
         {"options": ss.StimulusOptions(one_file_per_input=True, dither_seed=2, from_s=0.05)},
     ),
+    "people": (DESIGN, {"options": ss.StimulusOptions(one_file_per_input=True, people=True)}),
     "clipped": (DESIGN, {"options": ss.StimulusOptions(full_scale=0.5)}),
 }
 
@@ -75,7 +76,8 @@ CASES = {
 def _predicted_once():
     """Conditions of a design are predicted for its first sidecar, and known from then on."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(sidecar, "about_validity", cache(sidecar.about_validity))
+        for name in ("about_validity", "about_range"):
+            patch.setattr(sidecar, name, cache(getattr(sidecar, name)))
         yield
 
 
@@ -106,6 +108,7 @@ def test_each_sidecar_of_each_format_is_as_the_schema_says(tmp_path, name):
             assert about["equalised"] == done.equalised
             assert (about["equaliser"] is None) == (equaliser is None)
             assert done.equalised.startswith("Not equalised" if equaliser is None else "Equalised")
+            assert ("range_between_people" in about) == (case == "people")
             n_written += 1
     assert n_written >= 10
 

@@ -137,7 +137,7 @@ ALL = "Between sensors 15 inputs are "
         (-9.5, {}, f"{ALL}2.5 dB quieter than the best input: one actuator does nearly as well."),
         (-12.0, {}, f"{ALL}as quiet as the best input: one actuator does as well."),
         (-13.0, {}, f"{ALL}1.0 dB louder than the best input: one actuator does as well."),
-        (-8.5, {"quiet_db": -28.0}, "What is quiet is below -20 dB in the model."),
+        (-8.5, {"quiet_db": -28.0}, "What is quiet is more than 20 dB below in the model."),
         (-8.5, {"velocity_m_per_s": 0.08}, "Not reachable within 40 mm/s: 0.5 m/s² at most."),
     ],
 )

@@ -77,7 +77,7 @@ def test_contrast_control_is_compared_with_the_least_drive():
     before, after = (each.design for each in scene.conditions)
     gained_db = over_the_loudest_other_db(after, 26) - over_the_loudest_other_db(before, 26)
     loudest = numbers_in(scene.scene.sentence)[:2]
-    assert gained_db == pytest.approx(loudest[0] - loudest[1], abs=0.3)
+    assert gained_db == pytest.approx(loudest[1] - loudest[0], abs=0.3)
 
 
 def test_drives_of_one_person_are_played_on_another_and_fall_short_of_own_ones(measured):
@@ -88,9 +88,9 @@ def test_drives_of_one_person_are_played_on_another_and_fall_short_of_own_ones(m
     places = {tuple(track.location for track in design.inputs) for design in (first, carried, own)}
     assert places == {(7, 12, 13, 16, 17, 18)}
     said = numbers_in(scene.scene.sentence)
-    predicted = [-over_the_loudest_other_db(design) for design in (first, carried, own)]
+    predicted = [over_the_loudest_other_db(design) for design in (first, carried, own)]
     assert predicted == pytest.approx([said[0], said[1], said[4]], abs=0.5)
-    assert np.all(np.array(said[1:4]) > said[4:7])
+    assert np.all(np.array(said[1:4]) < said[4:7])
 
 
 def test_a_target_on_another_limb_is_that_scene_and_drives_of_another_limb_are_not():

@@ -1,15 +1,19 @@
 """Metrics of a sweep, against predictions made with other means."""
 
 import math
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.design.comparing import NO_RANGE
 from skinsource.design.design import louder
 from skinsource.signals.spectra import share_outside_band
+from skinsource.studies.sweeps import measuring
 from skinsource.studies.sweeps.measuring import Measurer
 from skinsource.studies.sweeps.plan import Plan
+from tests.core.own_limbs.lab_bench import installed
 
 RATE_HZ = 1300.0
 
@@ -104,12 +108,51 @@ def test_a_level_is_reached_exactly_and_all_else_follows():
     assert levels.max() == pytest.approx(-12.0, abs=1e-9)
 
 
+def test_the_range_between_people_is_that_of_the_rms_there_and_only_where_asked_for():
+    design, changes = two_inputs(), {"axes": "z", "method": "mag", "level_db": -12.0}
+    plain, metrics = measured(design, **changes), measured(design, **changes, people=True)
+    assert metrics.keys() - plain.keys() == {"range_low_db", "range_high_db"}
+    assert {name: metrics[name] for name in plain} == pytest.approx(plain, nan_ok=True)
+    played, output = louder(design, metrics["factor"]), int(metrics["loudest_output"])
+    limbs = [f"synthetic-{k}" for k in (1, 2, 3, 4)]
+    found = ss.people.levels(played, ss.View(axes="z", method="mag"), limbs=limbs)
+    for name, ends_db in (("range_low_db", found.low_db), ("range_high_db", found.high_db)):
+        assert metrics[name] == pytest.approx(ends_db[output - 1], abs=1e-9)
+
+
+def test_people_are_played_once_where_only_a_design_changes():
+    variables = (("limb", ("synthetic-1", "synthetic-2")), ("amplitude", (1.0, 2.0)))
+    plan = Plan(designs=(("one", two_inputs()),), variables=variables, people=True)
+    with patch.object(measuring, "people_of", wraps=measuring.people_of) as loaded:
+        in_turn = Measurer(plan)
+        rows = [in_turn.measure(number) for number in range(1, 5)]
+    assert loaded.call_count == 1
+    alone = [Measurer(plan).measure(number) for number in range(1, 5)]
+    for name in ("range_low_db", "range_high_db"):
+        assert [row[name] for row in rows] == [row[name] for row in alone]
+
+
+def test_of_an_own_limb_there_is_no_range_and_its_row_says_so(user_data):
+    limb = installed().name
+    design = ss.Design(limb=limb, inputs=(ss.track(1),))
+    (said,) = ss.sweep(design, axes="z", people=True).failed.values()
+    assert said == f"{NO_RANGE} Leave it out, or choose another than {limb!r}."
+    assert not ss.sweep(design, axes="z").failed
+
+
 def test_of_silence_nothing_is_said():
     silent = ss.Design(limb="synthetic-1", inputs=(ss.track(7, muted=True),))
-    metrics = measured(silent)
+    metrics = measured(silent, people=True)
     assert metrics["rms"] == 0.0
     assert metrics["drive_peak"] == 0.0
-    for name in ("share_outside_band", "loudest_output", "mean_distance_mm", "participation"):
+    for name in (
+        "share_outside_band",
+        "loudest_output",
+        "mean_distance_mm",
+        "participation",
+        "range_low_db",
+        "range_high_db",
+    ):
         assert math.isnan(metrics[name])
     for level in ("loudest_100ms", "above_threshold"):
         metrics = measured(silent, level=level, level_db=20.0)

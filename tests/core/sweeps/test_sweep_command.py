@@ -33,6 +33,7 @@ def test_a_file_says_all_that_a_sweep_does(folder):
         axes = "z"
         method = "mag"
         level_db = -3
+        people = true
         [vary]
         frequency_hz = [50, 80.5]
         2.amplitude = [1, 2]
@@ -52,6 +53,7 @@ def test_a_file_says_all_that_a_sweep_does(folder):
     assert table.plan.names == ("frequency_hz", "2.amplitude", "location")
     assert table.plan.outputs == (19, 21)
     assert (table.plan.axes, table.plan.method, table.plan.level_db) == ("z", "mag", -3.0)
+    assert table.plan.people
     assert table.order == Order(kind="counterbalanced", seed=9, participants=4, blocks=2)
     assert (table.files.format, table.files.rate_hz) == ("wav", 48_000)
 
@@ -67,7 +69,8 @@ def test_a_file_says_all_that_a_sweep_does(folder):
         ('designs = ["two.skinsource"]\n[trials]\nspeed = 1', "'speed' is not known in"),
         ('designs = ["two.skinsource"]\n[vary]\nfrequency_hz = 50', "a list of values"),
         ('designs = ["two.skinsource"]\noutputs = [0]', "outputs"),
-        ('designs = ["two.skinsource"]\nparquet = 1', "true or false"),
+        ('designs = ["two.skinsource"]\nparquet = 1', "parquet is 1, expected true or false"),
+        ('designs = ["two.skinsource"]\npeople = "yes"', "people is 'yes', expected true or"),
         ('designs = ["two.skinsource"]\naxes = "w"', "axes"),
         ('designs = ["two.skinsource"]\n[stimuli]\nrate_hz = 0', "rate_hz"),
         ('designs = ["two.skinsource"]\nvary = 3', "expected a table"),

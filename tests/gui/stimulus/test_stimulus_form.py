@@ -90,6 +90,19 @@ def test_full_scale_of_equalised_drives_is_in_volts_and_ends_with_them(form_on):
 WAIT = {"timeout": 30_000}
 
 
+def test_the_range_between_people_is_asked_for_on_published_limbs(form_on):
+    form = form_on(DESIGN)
+    assert not order_of(form).options.people
+    form.field("people").click()
+    assert order_of(form).options.people
+    again = form_on(DESIGN)
+    recall(again, remembered(form))
+    assert order_of(again).options.people
+    again.show_design(replace(DESIGN, limb="lab-1"))
+    assert again.field("people").isHidden()
+    assert not order_of(again).options.people
+
+
 def test_the_next_page_exports_as_the_last_one_did(form_on):
     form, other = form_on(DESIGN), form_on(DESIGN)
     form.field("format").choose("csv")

@@ -47,6 +47,8 @@ class StimulusOptions:
         Seed of dither where whole numbers are written; None: no dither.
     accept_loss
         Whether it is written even if a channel loses more than 1 dB of its energy at the rate.
+    people
+        Whether the sidecar has the range between people, see `skinsource.people.levels`.
     choices
         Options of the format: ``{"samples": "pcm24"}``.
     """
@@ -66,6 +68,7 @@ class StimulusOptions:
     full_scale: float | None = None
     dither_seed: int | None = None
     accept_loss: bool = False
+    people: bool = False
     choices: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

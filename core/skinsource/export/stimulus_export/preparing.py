@@ -108,6 +108,8 @@ class PreparedStimulus:
         A sentence on what the equaliser takes from the drive; "": less than 1 dB.
     misfit
         Sentences on an actuator that the device does not drive; "": none is known.
+    people
+        Whether sidecars have the range between people.
     """
 
     format: StimulusFormat
@@ -124,6 +126,7 @@ class PreparedStimulus:
     equaliser: Equaliser | None = None
     weakened: str = ""
     misfit: str = ""
+    people: bool = False
 
     def named(self, path: Path) -> "PreparedStimulus":
         """Return it with the names that files have in an export to ``path``."""
@@ -474,6 +477,7 @@ def prepare_stimulus(
         equaliser=equaliser,
         weakened="" if equaliser is None else weakened_by(equaliser, wanted, rig, at_places, stop),
         misfit=misfit,
+        people=options.people,
     )
 
 

@@ -12,6 +12,7 @@ from skinsource.actuators.equalising import Equaliser
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Stop, never
+from skinsource.design.comparing import RANGE_BETWEEN_PEOPLE
 from skinsource.design.design import Design, Input, View
 from skinsource.design.labels import label_of, level_label, scalings_on, signal_label
 from skinsource.engine.quantities import new_graph, sources
@@ -20,6 +21,7 @@ from skinsource.export.exported_design import versions
 from skinsource.export.formats.format import Facts
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, actuator_at
 from skinsource.limbs.own_limbs import drive_unit_known
+from skinsource.people.ranges import levels, people_like
 from skinsource.specs.models import specs_of
 
 
@@ -99,6 +101,7 @@ def sidecar_of(
         "scaling_means": label_of(scalings_on(drive_unit_known=known), design.scaling).sentence,
         "predicted_through": _about_prediction(ready, design.actuated),
         **about_validity(design, file.stop),
+        **(about_range(design) if ready.people else {}),
         "clip_count": int(sum(counts)),
         "confirmed": list(confirmed),
         "edges": ready.edges,
@@ -134,6 +137,30 @@ def about_validity(design: Design, stop: Stop = never) -> dict[str, Any]:
         for finding in results["validity"]
     ]
     return {"limb_note": results["limb_data"].note or None, "validity": conditions}
+
+
+def about_range(design: Design) -> dict[str, Any]:
+    """Return what levels to expect of people who were not measured.
+
+    Raises
+    ------
+    InvalidInputError
+        The limb is no published one.
+    DatasetMissingError
+        It is a measured one, and the measured dataset is not installed.
+    """
+    view = View()
+    found = levels(design, view, limbs=people_like(design.limb))
+    return {
+        "range_between_people": {
+            "means": RANGE_BETWEEN_PEOPLE,
+            "people": list(found.names),
+            "levels": f"{level_label(view.span)}, {signal_label(view.axes, view.method)}",
+            "mean_db": found.mean_db.tolist(),
+            "low_db": found.low_db.tolist(),
+            "high_db": found.high_db.tolist(),
+        }
+    }
 
 
 def _wiring(ready: PreparedStimulus, stimulus: Stimulus, row: int) -> dict[str, Any]:

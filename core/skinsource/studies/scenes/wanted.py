@@ -69,11 +69,11 @@ def _reversal_and_contrast(designs: tuple[Design, ...]) -> Wanted:
     aims = [aim_of(design) for design in designs]
     before, after = (ways(aim)[-1] for aim in aims)
     text = (
-        f"Re this place, the loudest other output is at {_db(before.loudest_db)} with time "
-        f"reversal and at {_db(after.loudest_db)} with contrast control, the mean of the others at "
-        f"{_db(before.quiet_db)} and {_db(after.quiet_db)}; between the sensors expect "
-        f"{_db(before.between_db)} and {_db(after.between_db)}. It costs {_db(after.effort_db)} "
-        "more drive energy."
+        f"This place is {_db(-before.loudest_db)} over the loudest other output with time reversal "
+        f"and {_db(-after.loudest_db)} with contrast control, {_db(-before.quiet_db)} and "
+        f"{_db(-after.quiet_db)} over the mean of the others; between the sensors expect "
+        f"{_db(-before.between_db)} and {_db(-after.between_db)}. It costs "
+        f"{_db(after.effort_db)} more drive energy."
     )
     return Wanted(designs=tuple(map(_solved, designs, aims)), sentence=text)
 
@@ -83,13 +83,13 @@ def _drives_and_layouts(designs: tuple[Design, ...]) -> Wanted:
     aims = [aim_of(first), aim_of(own)]
     kind = first.limb.partition("-")[0]
     others = [load_limb(f"{kind}-{k}") for k in (2, 3, 4)]
-    theirs = [on_limb(aims[0], limb).loudest_db for limb in others]
+    theirs = [-on_limb(aims[0], limb).loudest_db for limb in others]
     each_own = [aim_of(replace(own, limb=limb.name)) for limb in others]
-    at_home, *of_their_own = (on_limb(aim, aim.limb).loudest_db for aim in (aims[0], *each_own))
+    at_home, *of_their_own = (-on_limb(aim, aim.limb).loudest_db for aim in (aims[0], *each_own))
     text = (
-        f"Re this place, the loudest other output is at {_db(at_home)} on limb 1; on limbs 2, 3 "
-        f"and 4 at {_listed(theirs)} with the drives of limb 1, and at {_listed(of_their_own)} "
-        "with their own from the same inputs."
+        f"This place is {_db(at_home)} over the loudest other output on limb 1; on limbs 2, 3 and "
+        f"4 {_listed(theirs)} with the drives of limb 1, and {_listed(of_their_own)} with their "
+        "own from the same inputs."
     )
     solved = _solved(first, aims[0])
     detached = _done(detach_target(solved, View()))

@@ -11,10 +11,10 @@ from skinsource.actuators.equalising import equalised, followed_band
 from skinsource.actuators.prediction import Limits, breaches, predicted
 from skinsource.actuators.rigs import strictest
 from skinsource.base.conventions import Band, Floats
-from skinsource.base.decibels import decibels
+from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped, sentence
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.design.design import View
+from skinsource.design.design import Design, View
 from skinsource.design.signal_path import Drive
 from skinsource.engine.actuator_demand import drive_at
 from skinsource.engine.gains import Placed
@@ -26,6 +26,8 @@ from skinsource.export.tables import EXTENT_COLUMNS
 from skinsource.limbs.extent import distances_mm, spread
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
+from skinsource.people.others import people_of
+from skinsource.people.ranges import People, people_like
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.loudest_window import loudest_energy, window_samples
 from skinsource.signals.spectra import share_of_scaled
@@ -59,6 +61,8 @@ ACTUATOR_METRICS = (
     "limits_passed",
 )
 METRICS_OF_OUTPUTS = ("rms", "rms_100ms", "peak")
+#: Ends of the range between people at the loudest output, where a plan asks for it.
+RANGE_METRICS = ("range_low_db", "range_high_db")
 Metrics = dict[str, float]
 
 
@@ -67,6 +71,7 @@ def columns_of(plan: Plan) -> tuple[str, ...]:
     return (
         *METRICS,
         *(f"output_{output}_{name}" for output in plan.outputs for name in METRICS_OF_OUTPUTS),
+        *(RANGE_METRICS if plan.people else ()),
         *(ACTUATOR_METRICS if plan.drives_actuators else ()),
     )
 
@@ -260,6 +265,7 @@ class Measurer:
         )
         self._drives = DriveMetrics()
         self._extents = ExtentMetrics()
+        self._people: dict[tuple[str, ...], People] = {}
 
     def measure(self, number: int, stop: Stop = never) -> Metrics:
         """Return the metrics of stimulus ``number``, by name.
@@ -279,6 +285,8 @@ class Measurer:
         - the metrics of `skinsource.extent` for the RMS of the whole record;
         - ``outputs_in_noise``: how many outputs are less than 6 dB above the noise of the
           measurement, which the extent counts too; NaN where the noise is not known;
+        - ``range_low_db``, ``range_high_db``: what to expect there of ``rms`` on people who were
+          not measured, dB re 1 m/s², see `skinsource.people.levels`; only where the plan asks;
         - ``output_N_rms``, ``output_N_rms_100ms``, ``output_N_peak`` of each selected output;
         - where predictions go through actuators, `skinsource.studies.sweeps.measuring`.
 
@@ -315,9 +323,26 @@ class Measurer:
         }
         for output, window in zip(outputs[1:], windows[1:], strict=True):
             metrics |= _of_output(f"output_{output}_", rms[output - 1], window, factor)
+        if plan.people:
+            metrics |= self._range(design, loudest, factor)
         if plan.drives_actuators:
             metrics |= actuator_metrics(placed, n_times, limb, design.actuated, factor, plan.limits)
         return {name: float(value) for name, value in metrics.items()}
+
+    def _range(self, design: Design, output: int, factor: float) -> Metrics:
+        """Return the range between people at an output, over the whole record."""
+        names = people_like(design.limb)
+        if names not in self._people:
+            view = View(axes=self.plan.axes, method=self.plan.method)
+            self._people[names] = People(people_of(names, 2), view)
+        found = self._people[names].range_of(design)
+        if found.mean_db[output - 1] <= FLOOR_DB:
+            return dict.fromkeys(RANGE_METRICS, np.nan)
+        louder_db = float(decibels(factor))
+        ends_db = found.low_db[output - 1], found.high_db[output - 1]
+        return {
+            name: end_db + louder_db for name, end_db in zip(RANGE_METRICS, ends_db, strict=True)
+        }
 
     def _level(self, values: dict[str, Any], scaling: str, stop: Stop) -> float | None:
         """Return what is brought to the level of the plan: m/s², or a ratio; None: nothing is."""

@@ -376,6 +376,9 @@ class Plan:
         Matches of people.
     limits
         Limits of actuators besides their own; where designs are predicted through actuators.
+    people
+        Whether the range between people is measured too, which plays each stimulus on all limbs of
+        a kind.
     """
 
     designs: tuple[tuple[str, Design], ...]
@@ -387,6 +390,7 @@ class Plan:
     level_db: float | None = None
     strengths: Strengths | None = None
     limits: Limits = field(default_factory=Limits)
+    people: bool = False
 
     def __post_init__(self) -> None:
         if not self.designs:
@@ -508,6 +512,7 @@ class Plan:
             "level_db": self.level_db,
             "strengths": None if self.strengths is None else asdict(self.strengths),
             "limits": models.encode(self.limits),
+            **({"people": True} if self.people else {}),
         }
         return to_text(tree, _FORMAT)
 

@@ -84,6 +84,7 @@ def sweep(
     level: Level | FilePath | None = None,
     level_db: float | None = None,
     limits: Limits | None = None,
+    people: bool = False,
     order: Order | None = None,
     files: StimulusFiles | None = None,
     parquet: bool = False,
@@ -102,7 +103,7 @@ def sweep(
         ``{"frequency_hz": [50, 100], "location": [1, 2]}``.  The last one varies first.
     out
         Folder for all files, where a sweep that was stopped or killed continues; or None.
-    outputs, axes, method, level, level_db, limits
+    outputs, axes, method, level, level_db, limits, people
         Measurement and level: see `skinsource.studies.sweeps.plan.Plan`.  A level may be the path
         of a table of matches, too.
     order, files, parquet
@@ -129,6 +130,7 @@ def sweep(
     """
     settings: dict[str, Any] = {"outputs": tuple(outputs), "axes": axes, "method": method}
     settings |= {**level_of(level), "level_db": level_db, "limits": limits or Limits()}
+    settings["people"] = people
     plan = Plan(designs=named_designs(designs), variables=variables_of(vary), **settings)
     planned = Sweep(plan=plan, order=order, files=files, parquet=parquet)
     return run(planned, out, processes=processes, progress=progress, stop=stop)
@@ -270,6 +272,7 @@ _KEYS = {
         "method",
         "level",
         "level_db",
+        "people",
         "parquet",
         "vary",
         "limits",
@@ -336,9 +339,10 @@ def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
             f"designs is {quoted(names)}, expected a list of names of design files"
         )
     level_db = content.get("level_db")
-    parquet = content.get("parquet", False)
-    if not isinstance(parquet, bool):
-        raise InvalidInputError(f"parquet is {quoted(parquet)}, expected true or false")
+    asked = {name: content.get(name, False) for name in ("people", "parquet")}
+    for name, value in asked.items():
+        if not isinstance(value, bool):
+            raise InvalidInputError(f"{name} is {quoted(value)}, expected true or false")
     plan = Plan(
         designs=named_designs([folder / name for name in names]),
         variables=variables_of(_table(content, "vary")),
@@ -347,6 +351,7 @@ def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
         method=content.get("method", "pca"),
         **level_of(_level(content, folder)),
         limits=Limits(**_table(content, "limits")),
+        people=asked["people"],
         level_db=None
         if level_db is None
         else real_number("level_db", level_db, least=LOWEST_DB, most=HIGHEST_DB),
@@ -358,7 +363,7 @@ def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
         plan=plan,
         order=order if "trials" in content else None,
         files=files if "stimuli" in content else None,
-        parquet=parquet,
+        parquet=asked["parquet"],
     )
 
 
