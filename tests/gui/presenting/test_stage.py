@@ -289,7 +289,6 @@ def test_curves_and_maps_of_several_tones_agree_at_the_cursor(stage, qtbot):
         for k, curve in enumerate(stage.strip.curves):
             value = np.interp(stage.strip.marked, curve.x, curve.y)
             assert value == pytest.approx(stage.moving.values(k)[row], abs=0.02)
-        assert stage.moving.said_s == pytest.approx(turns / 60.0)
 
 
 def test_maps_that_come_late_are_in_phase_with_those_that_move(stage, qtbot):
@@ -821,6 +820,25 @@ def test_a_film_of_frequencies_says_what_the_tones_are_and_when_it_is(stage, qtb
     film = window.pictures.picture_of(MOVING).visible
     maps_film.maps_picture(options=options, seen=film, stop=never)
     assert drawn[3].about == "5.0 of 20.0 ms of one period"
+
+
+def test_a_film_of_unlike_tones_ends_where_all_of_them_begin_again(stage, qtbot):
+    # The tone of the design has 200 Hz.
+    side_by_side(stage, qtbot, 4, of="frequencies", frequencies_hz=(80.0, 180.0, 300.0))
+    film = shown(stage.window(), "maps_animation")
+    assert "without a seam" in film.form.remark.text
+    turns, _ = maps_film.MapsFilm(moving=stage.moving, content=None, caption="").turns(30)
+    stage.moving.turns = 0.0
+    first = [stage.moving.values(k) for k in range(4)]
+    stage.moving.turns = turns
+    assert turns / 80.0 == pytest.approx(0.05)
+    for k in range(4):
+        np.testing.assert_allclose(stage.moving.values(k), first[k], atol=1e-9)
+    stage.window().exports.end()
+    # No common period is short enough.
+    side_by_side(stage, qtbot, 3, of="frequencies", frequencies_hz=(80.0, 181.7))
+    assert "jumps where it begins again" in shown(stage.window(), "maps_animation").form.remark.text
+    stage.window().exports.end()
 
 
 def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
