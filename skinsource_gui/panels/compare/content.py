@@ -691,13 +691,16 @@ class OfWindows(Kind):
                 "surface_levels_db": results["surface_of_windows_db"][k],
             }
             extent = results["extents_of_windows"][k]
-            reach = "" if extent is None else f" · {extent.mean_distance_mm:.0f} mm away"
-            name = f"{1e3 * begin_s:.0f} to {1e3 * end_s:.0f} ms{reach}"
+            name = f"{1e3 * begin_s:.0f} to {1e3 * end_s:.0f} ms"
+            if extent is not None:
+                # Where there is no room beside the times, all of it is in the next line.
+                away = f"({extent.mean_distance_mm:.0f} mm away)"
+                name += " " + away.replace(" ", "\N{NO-BREAK SPACE}")
             sides.append(Compared(snapshot=snapshot, values={**common, **values}, axes=name))
         return sides
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
-        return [(side.axes, side.axes.partition(" · ")[0]) for side in compared]
+        return [(side.axes,) for side in compared]
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         text = super().about(compared, design, view)

@@ -9,7 +9,7 @@ from math import sqrt
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFrame, QLabel, QListWidget
 
@@ -24,8 +24,9 @@ from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.compare.stage import Dial, _number
+from skinsource_gui.panels.compare.view import bold
 from skinsource_gui.plots.pictures import MOVING, letters_px
-from skinsource_gui.qt.theme import current_theme
+from skinsource_gui.qt.theme import current_theme, tabular
 from tests.gui.exporting import shown
 
 SENTENCE = "Waves run towards the wrist. Try: turn the frequency to 50 Hz."
@@ -344,7 +345,23 @@ def test_time_windows_are_levels_whatever_moves(stage, qtbot):
     show(stage.window(), StageSettings(compared=True), of="windows")
     qtbot.waitUntil(lambda: len(stage.maps.content.cells) > 1, timeout=15_000)
     assert all(cell.scale.unit == "dB" for cell in stage.maps.content.cells)
-    assert stage.maps.content.cells[0].heading.endswith(" mm away")
+
+
+@pytest.mark.parametrize(("name", "screen"), [("2H", (1280, 720)), ("I3", (1366, 768))])
+def test_all_time_windows_say_how_far_away_the_vibration_is(stage, qtbot, name, screen):
+    window, opened = shown_at(stage, *screen), ss.scenes.open_scene(name, available=("synthetic-1",))
+    window.document.start_over(opened.design, opened.view, None)
+    show(window, StageSettings(compared=True), of="windows")
+    n_windows = {"2H": 5, "I3": 6}[name]
+    qtbot.waitUntil(lambda: len(stage.maps.content.cells) == n_windows, timeout=15_000)
+    qtbot.waitUntil(lambda: stage.width() > 0.9 * screen[0])
+    metrics = QFontMetricsF(bold(tabular(stage.maps.font())))
+    for cell, place in zip(stage.maps.content.cells, stage.maps.places.cells, strict=True):
+        room, (heading,) = place.heading, cell.headings
+        lines = heading.replace(" (", "\n(").splitlines()
+        assert re.fullmatch(r"\(\d+\smm\saway\)", lines[1])
+        assert max(map(metrics.horizontalAdvance, lines)) < room.width()
+        assert room.height() > 1.9 * metrics.height()
 
 
 @pytest.mark.parametrize("screen", [(1280, 720), (1366, 768), (1920, 1080)])
