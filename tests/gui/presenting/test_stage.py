@@ -349,7 +349,8 @@ def test_time_windows_are_levels_whatever_moves(stage, qtbot):
 
 @pytest.mark.parametrize(("name", "screen"), [("2H", (1280, 720)), ("I3", (1366, 768))])
 def test_all_time_windows_say_how_far_away_the_vibration_is(stage, qtbot, name, screen):
-    window, opened = shown_at(stage, *screen), ss.scenes.open_scene(name, available=("synthetic-1",))
+    window = shown_at(stage, *screen)
+    opened = ss.scenes.open_scene(name, available=("synthetic-1",))
     window.document.start_over(opened.design, opened.view, None)
     show(window, StageSettings(compared=True), of="windows")
     n_windows = {"2H": 5, "I3": 6}[name]
@@ -744,6 +745,12 @@ def test_rows_of_noise_say_so_and_have_no_arrival(measured, stage, qtbot):
     stage.show_levels()
     qtbot.waitUntil(lambda: stage.caution.text().endswith("near the noise, hatched"))
     assert "\nHatched: mostly noise; most in 400 Hz, " in stage.caution.toolTip()
+    # Hands alone have no noise.
+    stage.show_arm()
+    assert stage.caution.text().endswith("outputs near the noise")
+    assert "Hatched" not in stage.caution.toolTip()
+    stage.show_arm()
+    assert stage.caution.text().endswith("hatched")
     show(stage.window(), stage_settings(stage.view), of="frequencies", shown="mean")
     # Of their mean there is no number.
     assert re.search(r"\d|hatched|^$", stage.caution.text()) is None
