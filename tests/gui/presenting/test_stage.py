@@ -355,7 +355,7 @@ def test_all_time_windows_say_how_far_away_the_vibration_is(stage, qtbot, name, 
     show(window, StageSettings(compared=True), of="windows")
     n_windows = {"2H": 5, "I3": 6}[name]
     qtbot.waitUntil(lambda: len(stage.maps.content.cells) == n_windows, timeout=15_000)
-    qtbot.waitUntil(lambda: stage.width() > 0.9 * screen[0])
+    qtbot.waitUntil(lambda: stage.maps.width() > 0.9 * screen[0])
     metrics = QFontMetricsF(bold(tabular(stage.maps.font())))
     for cell, place in zip(stage.maps.content.cells, stage.maps.places.cells, strict=True):
         room, (heading,) = place.heading, cell.headings
