@@ -212,8 +212,8 @@ class Notice(QObject):
 HINTS = (
     "Click a place on the hand: an input is added there, and the skin map shows what reaches the "
     "skin.",
-    "Change its numbers in the clip panel: drag on a field, scroll over it, or type. The map "
-    "follows while you drag.",
+    "Change its numbers in the clip panel: drag on a field, or click it, and scroll or type. "
+    "The map follows while you drag.",
     "Click outputs on the skin map: traces and spectra show them. File > Scenes opens figures of "
     "the paper to begin with.",
 )

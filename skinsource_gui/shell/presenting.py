@@ -40,10 +40,11 @@ _SIZE = 560, 420
 # What keys do on the stage.
 _HINTS = (
     "{next} or {previous}: other scene · {motion}{fit}: fit scales · "
-    "{cover}: cover · {compare}: compare · {arm}: arm · {other}: other snapshot · "
+    "{cover}: cover · {compare}: compare · {arm}: arm · {snapshots}"
     "{more}: all keys · {end} or {leave}: leave"
 )
 _MOVING, _LEVELS = "{hold}: pause · {levels}: levels · ", "{levels}: motion · "
+_SNAPSHOTS = "{other}: other snapshot · "
 
 
 class NotesWindow(QtWidgets.QWidget):
@@ -284,7 +285,9 @@ class Presenter(QObject):
         more, end = map(shortcut_text, ("show_keys", "present"))
         stage = cast("StagePanel", self._made[STAGE])
         motion = (_MOVING if stage.moves else _LEVELS).format(**keys) * stage.kind.moves
-        self.done.emit(_HINTS.format(**keys, motion=motion, more=more, end=end))
+        snapshots = _SNAPSHOTS.format(**keys) * bool(self._document.view.snapshots)
+        texts = {"motion": motion, "snapshots": snapshots, "more": more, "end": end}
+        self.done.emit(_HINTS.format(**keys, **texts))
 
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.engine.loops import animation_of, loop_of
+from skinsource.engine.loops import animation_of, common_turns, loop_of
 
 HZ = 130.0
 
@@ -110,6 +110,19 @@ def test_at_its_own_speed_an_animation_shows_one_period_of_a_steady_tone_without
     first, last = signals.acceleration(begin_s), signals.acceleration(end_s)
     np.testing.assert_allclose(first, last, atol=0.01 * signals.largest)
     assert animation_of(tones(0.03), ss.View(slow_motion=0.0, delay_removed=True))[0] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("tones_hz", "expected"),
+    [
+        ((80.0, 180.0, 300.0), (4, True)),
+        ((50.0, 80.0, 100.0, 200.0, 400.0), (5, True)),
+        ((50.0, 200.0), (1, True)),
+        ((80.0, 181.0), (4, False)),
+    ],
+)
+def test_loops_of_unlike_tones_begin_again_after_their_common_period(tones_hz, expected):
+    assert common_turns([1.0 / hz for hz in tones_hz], 16) == expected
 
 
 def test_spectra_have_the_tone_on_top_as_high_in_designs_of_any_length():

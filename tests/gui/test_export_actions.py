@@ -161,7 +161,7 @@ def test_a_table_does_not_wait_for_a_film_and_exports_are_cancelled_in_the_dialo
     answers["save"] = str(tmp_path / "levels.csv")
     export(window, "levels")
     page = window.exports.page
-    assert page.message.text() == "levels.csv is written. Close lets it go on."
+    assert page.message.text() == "levels.csv is being written. Close lets it go on."
     qtbot.waitUntil((tmp_path / "levels.csv").exists, timeout=20_000)
     for name in ("film.mp4", "next.mp4"):
         qtbot.waitUntil(lambda n=name: page.cancel.text() == f"Cancel {n}")

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QFontMetricsF, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QScrollArea
 
 from skinsource import Clip, Design, Input, View, actuators, edits, load_limb, track
 from skinsource.actuators.actuation import Actuation, ActuatorAt
@@ -306,6 +306,21 @@ def test_other_people_are_beside_it(at_target, preferences):
     assert panel.people.range_db == (-30.0, 13.0)
     heads = [head_text(loudest, QFontMetricsF(panel.font()), room) for room in (200.0, 20.0)]
     assert heads == ["Synthetic 2\n−12.3 dB", "2\n−12.3 dB"]
+
+
+def test_beside_a_second_analysis_its_fields_are_as_wide_as_their_room(at_target, qtbot):
+    window = at_target()
+    window.resize(1440, 900)
+    for name in ("analysis_2", TARGET):
+        window.workspaces.bring(name)
+    panel = window.panel(TARGET)
+    area = panel.findChild(QScrollArea, "target_fields")
+    qtbot.waitUntil(lambda: window.workspaces.settled and panel.width() < 600)
+    assert area.widget().width() == area.viewport().width()
+    assert panel.grid.geometry().right() < area.viewport().width()
+    # Its words have the room of what it has not found yet.
+    words = panel.findChild(QScrollArea, "target_words")
+    assert words.mapTo(panel, words.rect().bottomRight()).x() > panel.width() - 20
 
 
 def test_its_clips_lead_back_to_it(qtbot):

@@ -1,5 +1,6 @@
 """Loops: which part of a motion is shown again and again, without a seam, and how slowly."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import ceil
 
@@ -143,6 +144,18 @@ def loop_of(design: Design, moving: Moving, *, passes: bool = False) -> Loop:
             phasors=_steady(*tone, moving),
         )
     return _passing(design, moving)
+
+
+def common_turns(durations_s: Sequence[float], most: int) -> tuple[int, bool]:
+    """Return after how many turns of the longest loop all loops begin again, and whether they do.
+
+    They do where none is more than half a hundredth of itself from its beginning; else the turns,
+    at most ``most``, are those after which they come closest.
+    """
+    turns = np.arange(1, most + 1)[:, None] * max(durations_s) / np.array(durations_s)
+    missed = np.abs(turns - np.round(turns)).max(axis=1).round(2)
+    nearest = int(np.argmin(missed))
+    return nearest + 1, bool(missed[nearest] == 0.0)
 
 
 def animation_of(design: Design, view: View) -> tuple[float, float, float]:

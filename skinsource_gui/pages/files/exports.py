@@ -213,7 +213,7 @@ class ExportActions(QObject):
         quick = page.part.name not in (FILM, MAPS_FILM, STIMULUS_SET)
         work = partial(write, largest_error=VISIBLE)
         before = self._add(path, Job(f"{_EXPORTING}{path.name}", work, quick), note)
-        does = f"waits for {_file_of(before)}" if before else "is written"
+        does = f"waits for {_file_of(before)}" if before else "is being written"
         page.say(f"{path.name} {does}. Close lets it go on.")
 
     def _may_write(self, path: Path, written: Iterable[tuple[Path, ...]]) -> bool:

@@ -46,7 +46,8 @@ class MapsFilm:
     def turns(self, per_s: int) -> tuple[int, int]:
         """Return how often the loop is shown, and in how many frames."""
         turn_s = self.moving.longest_s * self.moving.slow_motion
-        turns = ceil(_LEAST_S / turn_s)
+        common, _ = self.moving.common_turns
+        turns = common * ceil(_LEAST_S / (common * turn_s))
         return turns, round(turns * turn_s * per_s)
 
     def frame(self, image: QtGui.QImage, options: FilmOptions, turns: float) -> NDArray[np.uint8]:
@@ -54,9 +55,11 @@ class MapsFilm:
         # The film may be drawn while its preview is.
         moving = copy(self.moving)
         moving.turns = turns
-        of = f" of {1e3 * moving.longest_s:.1f}" if moving.repeats else ""
-        period = " of one period" if of and not moving.any_passes else ""
-        about = f"{1e3 * moving.said_s:.1f}{of} ms{period}"
+        common, closes = moving.common_turns
+        common_s = common * moving.longest_s
+        of = f" of {1e3 * common_s:.1f}" if closes else ""
+        period = " of one period" if of and common == 1 and not moving.any_passes else ""
+        about = f"{1e3 * (moving.ran_s % common_s):.1f}{of} ms{period}"
         content = replace(self.content, cells=moving.cells(), about=about)
 
         def draw(painter: QtGui.QPainter, width: int, height: int, theme: Theme) -> None:
@@ -86,7 +89,9 @@ def maps_remark(maps: MapsFilm | None, options: FilmOptions) -> Remark:
     if 2.0 * fastest_hz > options.frames_per_s * maps.moving.slow_motion:
         return Remark(_TOO_FAST, refuses=True)
     _, count = maps.turns(options.frames_per_s)
-    return Remark(f"{count / options.frames_per_s:.3g} s of film in a loop, {count} frames.")
+    _, closes = maps.moving.common_turns
+    ends = "which begins again without a seam" if closes else "which jumps where it begins again"
+    return Remark(f"{count / options.frames_per_s:.3g} s of film, {ends}: {count} frames.")
 
 
 def export_maps_film(
@@ -100,7 +105,7 @@ def export_maps_film(
     stop: Stop,
     largest_error: float,
 ) -> None:
-    """Write maps side by side in motion, without a seam where the film begins again.
+    """Write maps side by side in motion until all begin again, or nearly so.
 
     Raises
     ------

@@ -418,7 +418,7 @@ class ImportPreview(QtWidgets.QWidget):
         also = _in_own_unit(samples, choice)
         which = f"{shown + 1} of {len(parts)}: " if len(parts) > 1 else ""
         self._numbers.setText(
-            f"{which}{samples.duration_s:.4g} s · peak {samples.peak:.3g}{unit}{also} · "
+            f"{which}{samples.duration_s:.4g} s · largest sample {samples.peak:.3g}{unit}{also} · "
             f"RMS {rms:.3g}{unit} · {samples.values.size} samples at {rate:g} Hz"
             + ("" if band_hz is None else f"\n{_outside(samples, band_hz)}")
         )

@@ -200,12 +200,13 @@ class CompareContent:
 
     def is_on_hands(self) -> bool:
         """Return whether all selected outputs are seen on hands without arms."""
-        return all(
-            replace(small, hand_only=True).bounds.contains(QPointF(*place))
-            for small in filter(None, (cell.small for cell in self.cells))
-            for k, place in enumerate(small.limb_map.output_positions, 1)
-            if k in self.outputs
-        )
+        smalls = filter(None, (cell.small for cell in self.cells))
+        return all(all(_in_sight(small, self.outputs, hand_only=True)) for small in smalls)
+
+    def is_hatched(self, *, hand_only: bool) -> bool:
+        """Return whether an output that is mostly noise is seen in a map of levels."""
+        smalls = filter(None, (cell.small for cell in self.cells))
+        return any(any(_in_sight(small, small.noisy, hand_only=hand_only)) for small in smalls)
 
     def readout(self, output: int | None) -> str:
         """Return the values of an output in all maps; None: what the maps show."""
@@ -216,6 +217,12 @@ class CompareContent:
         if any(cell.maximum_db is not None for cell in drawn):
             values = f"{values} re each map's maximum"
         return f"{output_text(output, drawn[0].limb)}: {values}"
+
+
+def _in_sight(small: SmallMap, numbers: tuple[int, ...], *, hand_only: bool) -> list[bool]:
+    bounds = replace(small, hand_only=hand_only).bounds
+    positions = enumerate(small.limb_map.output_positions, 1)
+    return [bounds.contains(QPointF(*place)) for number, place in positions if number in numbers]
 
 
 # Levels that differ by less are shown as the same.
@@ -696,13 +703,16 @@ class OfWindows(Kind):
                 "above_noise_db": None if noise is None else levels_db - decibels(noise[k]),
             }
             extent = results["extents_of_windows"][k]
-            reach = "" if extent is None else f" · {extent.mean_distance_mm:.0f} mm away"
-            name = f"{1e3 * begin_s:.0f} to {1e3 * end_s:.0f} ms{reach}"
+            name = f"{1e3 * begin_s:.0f} to {1e3 * end_s:.0f} ms"
+            if extent is not None:
+                # Where there is no room beside the times, all of it is in the next line.
+                away = f"({extent.mean_distance_mm:.0f} mm away)"
+                name += " " + away.replace(" ", "\N{NO-BREAK SPACE}")
             sides.append(Compared(snapshot=snapshot, values={**common, **values}, axes=name))
         return sides
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
-        return [(side.axes, side.axes.partition(" · ")[0]) for side in compared]
+        return [(side.axes,) for side in compared]
 
     def over(self, view: View) -> str:
         return "in windows"

@@ -12,6 +12,7 @@ from skinsource.engine.loops import (
     PICTURES_PER_PERIOD,
     SHOWN_HZ,
     Loop,
+    common_turns,
     is_sequence,
     loop_of,
     moving_axis,
@@ -82,9 +83,13 @@ class MovingMaps:
         return self.turns * self.longest_s
 
     @property
-    def said_s(self) -> float:
-        """That time, within the longest loop where all begin again with it."""
-        return self.ran_s % self.longest_s if self.repeats else self.ran_s
+    def common_turns(self) -> tuple[int, bool]:
+        """After how many turns all loops begin again, or nearly so, and whether they do.
+
+        As many turns are seen within half a minute.
+        """
+        most = max(int(MOST_S / (self.longest_s * self.slow_motion)), 1)
+        return common_turns([self.length_s(known[0]) for known in self.loops if known], most)
 
     @property
     def repeats(self) -> bool:

@@ -15,7 +15,7 @@ SHOWN = choice_of("shown_of_compared")
 OWN_MAXIMUM = SwitchSpec(label="Own maximum", hint="Draw each map relative to its loudest output")
 LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
 FREQUENCIES = ListSpec(
-    label="Frequencies",
+    label="Frequencies beside its own",
     of=NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=1e5),
     most=MOST_SIDE_BY_SIDE - 1,
     hint="Frequencies beside that of the design",

@@ -472,10 +472,11 @@ class StagePanel(MapsPanel):
         if most := max(counts, default=0):
             names = self.kind.names(self.compared, self.view, difference=False)
             noisiest = names[counts.index(most)]
-            several, hatched = len(counts) > 1, "" if self.moves else ", hatched"
+            several, content = len(counts) > 1, self.maps.content
+            hatches = not self.moves and content.is_hatched(hand_only=self.maps.places.low)
             of = f"{noisiest[-1]}: " * several
-            noise = f"{of}{counted(most, 'output')} near the noise{hatched}"
-            about += f"\n{'Near the noise' if self.moves else 'Hatched'}: mostly noise"
+            noise = f"{of}{counted(most, 'output')} near the noise{', hatched' * hatches}"
+            about += f"\n{'Hatched' if hatches else 'Near the noise'}: mostly noise"
             if not self.moves and self.kind.drawn_as(self.settings) != "levels":
                 # Of no map it is the number.
                 noise = "outputs near the noise"
@@ -522,6 +523,7 @@ class StagePanel(MapsPanel):
         if self.maps.content.cells:
             self.maps.arm = self.maps.places.low
             self.maps.show_content(self.maps.content)
+            self.show_caution(*self._caution)
 
     def _follow_arm(self, shown: bool) -> None:
         self.arm.setChecked(shown)

@@ -201,7 +201,9 @@ class InputFields(QObject):
         self._onset = FieldCell("onset_s", ONSET, edited=self.edited)
         self._gain = FieldCell("gain", _CLIP_GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
-        self._peak = TextCell("Track peak", "", "peak", "Peak of the whole track, with its gain")
+        self._peak = TextCell(
+            "Track peak", "", "peak", "Peak of the track, with its gain, between samples too"
+        )
         self._played_length = TextCell("Played time", "", "played_length", "Duration after effects")
         self._played_hz = TextCell("Played tone", "", "played_hz", "Frequency after effects")
 

@@ -41,6 +41,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.small_map import LEAST_MAP_PX, map_grid, paint_rings, paint_small_map
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
+from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.labels import RowTable
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.resources import columns_of
@@ -263,7 +264,7 @@ class TargetPanel(FoundPanel):
         self.about.setText(level + Target.limits)
         self.people.show_people(shown.people, self._target.strong)
         self.people_head.setText(f"Same drives, other limbs: over the loudest other{along}")
-        for part in (self.ways, self.people_head, self.people):
+        for part in (self.ways, self._beside):
             part.setVisible(bool(shown.ways))
 
     def _clip(self) -> Clip | None:
@@ -300,14 +301,17 @@ class TargetPanel(FoundPanel):
         strong, sharp = ends
         slider = in_row(strong, (self.sharpness, 1), sharp, gap_px=UNIT_PX // 2)
         brushes = in_row(*self.brushes.values(), None)
-        actions = in_row(self.use_clip, self.where, self.detach, None)
+        buttons = self.use_clip, self.where, self.detach
+        actions = FoldingRow(buttons, UNIT_PX // 2, left=True)
         inside = QtWidgets.QWidget()
         in_column(actions, self.grid, None, of=inside, margins=(0, 0, UNIT_PX, 0))
         left = in_column(brushes, slider, (scrolled(inside, "target_fields"), 1))
         words = QtWidgets.QWidget()
         in_column(self.said, self.about, None, of=words, margins=(0, 0, UNIT_PX, 0))
-        people = in_column(self.people_head, (self.people, 1))
-        below = in_row((scrolled(words, "target_words"), 1), (people, 1))
+        # A row keeps the room of a hidden layout, and not that of a hidden widget.
+        self._beside = QtWidgets.QWidget()
+        in_column(self.people_head, (self.people, 1), of=self._beside, margins=0)
+        below = in_row((scrolled(words, "target_words"), 1), (self._beside, 1))
         right = in_column(self.ways, (below, 1))
         edges = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
         in_row((left, 3), (right, 6), of=self, margins=edges, gap_px=UNIT_PX)

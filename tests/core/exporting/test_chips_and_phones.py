@@ -64,6 +64,7 @@ def test_drv2605l_gets_amplitudes_and_ends_off(tone, tmp_path, updates):
     values = arrays["stim_place_7"]
     hz = int(updates)
     assert constants["STIM_FS_HZ"] == f"{hz}UL"
+    assert "LRA mode: bit 7" in path.read_text(encoding="ascii")
     assert values.size == round(0.8 * hz) + 1
     assert 0 <= values.min() <= values.max() <= 0x7F
     assert values[-1] == 0

@@ -72,6 +72,38 @@ def test_a_vibration_runs_to_the_wrist_or_to_the_tip():
         assert np.all(np.diff(middles[::order]) > 0.0)
 
 
+def test_one_gain_of_ten_makes_the_next_digit_louder_and_not_as_loud_as_the_tip():
+    scene = opened("I1")
+    design, view = scene.conditions[-1].design, ss.View(axes="z")
+    assert "one gain to 10: digit III gets louder, but not as loud" in scene.scene.to_try
+
+    def below_the_tip_db(each):
+        levels_db = ss.evaluate(each, "output_levels_db", view=view)["output_levels_db"]
+        return levels_db[[27, 28]].max() - levels_db[QUIET].max()
+
+    before_db = below_the_tip_db(design)
+    for k in range(len(design.inputs)):
+        assert 0.0 < below_the_tip_db(design.with_input(k, amplitude=10.0)) < before_db
+
+
+def test_on_the_back_of_the_hand_tones_of_several_tips_meet():
+    scene = opened("I2")
+    assert "back of the hand, where tones of several tips meet" in scene.scene.to_try
+    view = ss.View(outputs=(5, 14, 16, 23, 25, 32), axes="z")
+    results = ss.evaluate(scene.design, "selected_traces", "sample_rate_hz", view=view)
+    time_s = np.arange(results["selected_traces"].shape[1]) / results["sample_rate_hz"]
+    tones_hz = np.array([60.0, 90.0, 120.0, 160.0, 210.0])
+    amounts = np.abs(results["selected_traces"] @ np.exp(-2j * np.pi * np.outer(time_s, tones_hz)))
+    levels_db = 20 * np.log10(amounts / amounts.max(axis=1, keepdims=True))
+    assert (levels_db > -12.0).sum(axis=1).min() >= 2
+
+
+def test_what_shows_all_snapshots_side_by_side_asks_for_no_other_one():
+    for scene in ss.scenes.all_scenes():
+        compare = dict(dict(ss.scenes.open_scene(scene.name).view.panels).get("compare", ()))
+        assert compare.get("of") == "windows" or "press X" not in scene.to_try
+
+
 def test_contrast_control_is_compared_with_the_least_drive():
     scene = opened("I4")
     before, after = (each.design for each in scene.conditions)

@@ -151,11 +151,11 @@ def test_a_sentence_on_travel_tells_the_group_delay_and_not_where_a_tone_is_larg
     tone = np.sin(2 * np.pi * 200.0 * times_s) * (times_s < 0.1)
     # The later one comes after 8 ms, and goes on growing.
     traces = np.stack([tone, np.roll(tone * (0.5 + 0.1 * times_s), 80)])
-    text = _delay_and_loss(0.0, traces[:, None], 1e4, 3, 5)
+    text = _delay_and_loss(0.0, traces[:, None], 1e4, [3, 5])
     assert "8 ms later (group delay)" in text
     # Of another shape there is no delay.
     traces[1] = np.random.default_rng(1).standard_normal(2000)
-    assert "later" not in _delay_and_loss(0.0, traces[:, None], 1e4, 3, 5)
+    assert "later" not in _delay_and_loss(0.0, traces[:, None], 1e4, [3, 5])
 
 
 @pytest.mark.parametrize("name", ["5D", "5E", "5F"])
@@ -183,6 +183,19 @@ def test_sentences_name_outputs_of_the_view_that_are_above_the_noise(name):
     numbers = {int(number) for number in re.findall(r"output (\d+)", found)}
     assert len(numbers) == 2
     assert numbers <= set(opened.view.outputs)
+
+
+def test_noise_is_said_to_be_lowest_where_it_is(measured):
+    opened = ss.scenes.open_scene("2C")
+    names = "axis_traces", "sample_rate_hz"
+    found = ss.evaluate(opened.design, *names, view=opened.view)
+    traces, rate_hz = (found[name] for name in names)
+    power = np.square(np.abs(np.fft.rfft(traces))).sum(axis=1)
+    means_hz = power @ np.fft.rfftfreq(traces.shape[-1], 1.0 / rate_hz) / power.sum(axis=1)
+    row = opened.view.outputs.index(48)
+    # Output 49 is above the noise, too.
+    assert means_hz[row] < means_hz[row + 1]
+    assert f"lowest at output 48, {means_hz[row]:.0f} Hz." in opened.scene.sentence
 
 
 def test_the_train_of_the_other_order_expands():

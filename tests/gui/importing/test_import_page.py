@@ -429,7 +429,7 @@ def test_each_channel_gets_a_place_of_its_own_and_keeps_its_share(desk, qtbot, p
     choose(page, qtbot, "signal", "1")
     assert len(page.form.choices) == 2
     # What is shown is the chosen signal.
-    assert page.preview.text.startswith("2 of 2: 0.5 s · peak 0.5 ")
+    assert page.preview.text.startswith("2 of 2: 0.5 s · largest sample 0.5 ")
     before, said = document.undo_stack.count(), []
     document.message.connect(said.append)
     page.accept()

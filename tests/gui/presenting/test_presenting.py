@@ -48,6 +48,18 @@ def test_presenting_takes_the_bars_away_and_gives_them_back(open_window, design)
     assert window.focusWidget() is focused
 
 
+def test_another_snapshot_is_offered_where_there_is_one(studio):
+    told = []
+    studio.presenter.done.connect(told.append)
+    studio.do("present")
+    studio.do("present")
+    document = studio.document
+    stored = Snapshot(number=1, design=document.design)
+    document.look(replace(document.view, snapshots=(stored,)))
+    studio.do("present")
+    assert ["X: other snapshot" in text for text in told if "Esc" in text] == [False, True]
+
+
 def test_keys_work_while_the_menus_are_away(studio, qtbot):
     studio.do("present")
     studio.activateWindow()

@@ -9,7 +9,7 @@ from math import sqrt
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFrame, QLabel, QListWidget
 
@@ -24,8 +24,9 @@ from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.compare.stage import Dial, _number
+from skinsource_gui.panels.compare.view import bold
 from skinsource_gui.plots.pictures import MOVING, letters_px
-from skinsource_gui.qt.theme import current_theme
+from skinsource_gui.qt.theme import current_theme, tabular
 from tests.gui.exporting import shown
 
 SENTENCE = "Waves run towards the wrist. Try: turn the frequency to 50 Hz."
@@ -289,7 +290,6 @@ def test_curves_and_maps_of_several_tones_agree_at_the_cursor(stage, qtbot):
         for k, curve in enumerate(stage.strip.curves):
             value = np.interp(stage.strip.marked, curve.x, curve.y)
             assert value == pytest.approx(stage.moving.values(k)[row], abs=0.02)
-        assert stage.moving.said_s == pytest.approx(turns / 60.0)
 
 
 def test_maps_that_come_late_are_in_phase_with_those_that_move(stage, qtbot):
@@ -345,7 +345,24 @@ def test_time_windows_are_levels_whatever_moves(stage, qtbot):
     show(stage.window(), StageSettings(compared=True), of="windows")
     qtbot.waitUntil(lambda: len(stage.maps.content.cells) > 1, timeout=15_000)
     assert all(cell.scale.unit == "dB" for cell in stage.maps.content.cells)
-    assert stage.maps.content.cells[0].heading.endswith(" mm away")
+
+
+@pytest.mark.parametrize(("name", "screen"), [("2H", (1280, 720)), ("I3", (1366, 768))])
+def test_all_time_windows_say_how_far_away_the_vibration_is(stage, qtbot, name, screen):
+    window = shown_at(stage, *screen)
+    opened = ss.scenes.open_scene(name, available=("synthetic-1",))
+    window.document.start_over(opened.design, opened.view, None)
+    show(window, StageSettings(compared=True), of="windows")
+    n_windows = {"2H": 5, "I3": 6}[name]
+    qtbot.waitUntil(lambda: len(stage.maps.content.cells) == n_windows, timeout=15_000)
+    qtbot.waitUntil(lambda: stage.maps.width() > 0.9 * screen[0])
+    metrics = QFontMetricsF(bold(tabular(stage.maps.font())))
+    for cell, place in zip(stage.maps.content.cells, stage.maps.places.cells, strict=True):
+        room, (heading,) = place.heading, cell.headings
+        lines = heading.replace(" (", "\n(").splitlines()
+        assert re.fullmatch(r"\(\d+\smm\saway\)", lines[1])
+        assert max(map(metrics.horizontalAdvance, lines)) < room.width()
+        assert room.height() > 1.9 * metrics.height()
 
 
 @pytest.mark.parametrize("screen", [(1280, 720), (1366, 768), (1920, 1080)])
@@ -728,6 +745,12 @@ def test_rows_of_noise_say_so_and_have_no_arrival(measured, stage, qtbot):
     stage.show_levels()
     qtbot.waitUntil(lambda: stage.caution.text().endswith("near the noise, hatched"))
     assert "\nHatched: mostly noise; most in 400 Hz, " in stage.caution.toolTip()
+    # Hands alone have no noise.
+    stage.show_arm()
+    assert stage.caution.text().endswith("outputs near the noise")
+    assert "Hatched" not in stage.caution.toolTip()
+    stage.show_arm()
+    assert stage.caution.text().endswith("hatched")
     show(stage.window(), stage_settings(stage.view), of="frequencies", shown="mean")
     # Of their mean there is no number.
     assert re.search(r"\d|hatched|^$", stage.caution.text()) is None
@@ -821,6 +844,25 @@ def test_a_film_of_frequencies_says_what_the_tones_are_and_when_it_is(stage, qtb
     film = window.pictures.picture_of(MOVING).visible
     maps_film.maps_picture(options=options, seen=film, stop=never)
     assert drawn[3].about == "5.0 of 20.0 ms of one period"
+
+
+def test_a_film_of_unlike_tones_ends_where_all_of_them_begin_again(stage, qtbot):
+    # The tone of the design has 200 Hz.
+    side_by_side(stage, qtbot, 4, of="frequencies", frequencies_hz=(80.0, 180.0, 300.0))
+    film = shown(stage.window(), "maps_animation")
+    assert "without a seam" in film.form.remark.text
+    turns, _ = maps_film.MapsFilm(moving=stage.moving, content=None, caption="").turns(30)
+    stage.moving.turns = 0.0
+    first = [stage.moving.values(k) for k in range(4)]
+    stage.moving.turns = turns
+    assert turns / 80.0 == pytest.approx(0.05)
+    for k in range(4):
+        np.testing.assert_allclose(stage.moving.values(k), first[k], atol=1e-9)
+    stage.window().exports.end()
+    # No common period is short enough.
+    side_by_side(stage, qtbot, 3, of="frequencies", frequencies_hz=(80.0, 181.7))
+    assert "jumps where it begins again" in shown(stage.window(), "maps_animation").form.remark.text
+    stage.window().exports.end()
 
 
 def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):

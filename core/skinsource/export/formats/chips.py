@@ -131,7 +131,8 @@ class Drv2605l(StimulusFormat):
                 "(data",
                 "with sign), then one value to 0x02 at each update. Amplitude only: the chip "
                 "chooses",
-                "the frequency, the resonance of the actuator. I2C address 0x5A.",
+                "the frequency, the resonance of the actuator. It must be in LRA mode: bit 7",
+                "of 0x1A is set. I2C address 0x5A.",
             ),
             {
                 "STIM_FS_HZ": f"{step_hz}UL",

@@ -375,10 +375,10 @@ def _wanted_on(name: str, limbs: tuple[str, ...]) -> Wanted:
     return WANTED[name](tuple(replace(design, limb=limb) for design, limb in pairs))
 
 
-def _at_the_ends(
-    opened: OpenedScene, text: Callable[[Floats, float, int, int], str], *, all_axes: bool = False
+def _above_noise(
+    opened: OpenedScene, text: Callable[[Floats, float, list[int]], str], *, all_axes: bool = False
 ) -> str:
-    """Return a text on the axes of the first and the last shown output above the noise."""
+    """Return a text on the axes of the shown outputs above the noise; "" with less than two."""
     axes = facts_of(opened.design.limb).axes if all_axes else opened.view.axes
     view, names = replace(opened.view, axes=axes), ("axis_traces", "above_noise_db")
     results = evaluate(opened.design, *names, "sample_rate_hz", view=view)
@@ -390,9 +390,8 @@ def _at_the_ends(
     ]
     if len(heard) < 2:
         return ""
-    rows = [heard[0], heard[-1]]
-    near, far = (outputs[row] for row in rows)
-    return text(results["axis_traces"][rows], results["sample_rate_hz"], near, far)
+    numbers = [outputs[row] for row in heard]
+    return text(results["axis_traces"][heard], results["sample_rate_hz"], numbers)
 
 
 def _power(traces: Floats, rate_hz: float) -> tuple[Floats, Floats]:
@@ -400,9 +399,10 @@ def _power(traces: Floats, rate_hz: float) -> tuple[Floats, Floats]:
     return scipy.fft.rfftfreq(traces.shape[-1], 1.0 / rate_hz), power / power.sum(axis=1)[:, None]
 
 
-def _high_frequencies(traces: Floats, rate_hz: float, near: int, far: int) -> str:
+def _high_frequencies(traces: Floats, rate_hz: float, outputs: list[int]) -> str:
     frequency_hz, power = _power(traces, rate_hz)
-    at_near, at_far = 100.0 * power[:, frequency_hz > _HIGH_HZ].sum(axis=1)
+    at_near, *_, at_far = 100.0 * power[:, frequency_hz > _HIGH_HZ].sum(axis=1)
+    near, *_, far = outputs
     return (
         f"Above {_HIGH_HZ:g} Hz lies {at_near:.0f} % of the energy at output {near}, and "
         f"{at_far:.0f} % at output {far}."
@@ -413,11 +413,12 @@ def _later_and_weaker(opened: OpenedScene) -> str:
     design = opened.design
     onset_s = min(clip.onset_s for clip in design.clips)
     begin_s = onset_s + facts_of(design.limb).pre_trigger_delay_s
-    return _at_the_ends(opened, partial(_delay_and_loss, begin_s))
+    return _above_noise(opened, partial(_delay_and_loss, begin_s))
 
 
-def _delay_and_loss(begin_s: float, traces: Floats, rate_hz: float, near: int, far: int) -> str:
-    (traces,) = np.moveaxis(traces, 1, 0)
+def _delay_and_loss(begin_s: float, traces: Floats, rate_hz: float, outputs: list[int]) -> str:
+    near, *_, far = outputs
+    (traces,) = np.moveaxis(traces[[0, -1]], 1, 0)
     peaks = np.abs(scipy.signal.hilbert(traces)).max(axis=1)
     weaker_db = float(-np.diff(decibels(peaks))[0])
     # Where the largest sample of a long tone lies is no time of travel.
@@ -433,12 +434,13 @@ def _delay_and_loss(begin_s: float, traces: Floats, rate_hz: float, near: int, f
     )
 
 
-def _mean_frequencies(traces: Floats, rate_hz: float, near: int, far: int) -> str:
+def _mean_frequencies(traces: Floats, rate_hz: float, outputs: list[int]) -> str:
     frequency_hz, power = _power(traces, rate_hz)
-    at_near, at_far = power @ frequency_hz
+    (at_near, near), *others = zip(power @ frequency_hz, outputs, strict=True)
+    lowest, there = min(others)
     return (
-        f"The mean frequency is {at_near:.0f} Hz at output {near}, and {at_far:.0f} Hz at "
-        f"output {far}."
+        f"The mean frequency is {at_near:.0f} Hz at output {near}; of the others it is lowest at "
+        f"output {there}, {lowest:.0f} Hz."
     )
 
 
@@ -494,10 +496,10 @@ def _at_least(name: str, values: Floats | None) -> str:
 
 #: What is computed, by the name of the scene.
 FINDINGS: dict[str, Callable[[OpenedScene], str]] = {
-    "1D": partial(_at_the_ends, text=_high_frequencies, all_axes=True),
+    "1D": partial(_above_noise, text=_high_frequencies, all_axes=True),
     "1G": _carried,
     "2A": _later_and_weaker,
-    "2C": partial(_at_the_ends, text=_mean_frequencies),
+    "2C": partial(_above_noise, text=_mean_frequencies),
     "2F": _interference,
     "5D": _straightness,
     "5E": _straightness,
