@@ -11,7 +11,7 @@ const CURVES = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b07d00", "#56b4e9"
 const FRAMES_PER_S = 60;
 // Samples on each side of an instant that its value is made of, and the shape of their window.
 const REACH = 64, BETA = 12.3;
-const NEAREST_MM = 15;
+const NEAREST_MM = 15, BELOW_PX = 22;
 
 // ---- what is embedded ----
 
@@ -35,29 +35,7 @@ async function readMap(map) {
     for (let j = entry; j < entry + counts[k]; j++) sum += weights[j];
     for (let j = entry; j < entry + counts[k]; j++) shares[j] = weights[j] / sum;
   }
-  return { ...map, pixels, counts, outputs, shares, beside: besides(map, inside) };
-}
-
-// Pixels just outside, each with one inside: the outline cuts through them.
-function besides(map, inside) {
-  const pairs = [];
-  for (let row = 0; row < map.rows; row++) {
-    for (let column = 0; column < map.columns; column++) {
-      if (inside[row * map.columns + column]) continue;
-      let nearest = null, least = 9;
-      for (let y = Math.max(row - 2, 0); y <= Math.min(row + 2, map.rows - 1); y++) {
-        for (let x = Math.max(column - 2, 0); x <= Math.min(column + 2, map.columns - 1); x++) {
-          const far = (y - row) ** 2 + (x - column) ** 2;
-          if (inside[y * map.columns + x] && far < least) {
-            least = far;
-            nearest = y * map.columns + x;
-          }
-        }
-      }
-      if (nearest !== null) pairs.push([row * map.columns + column, nearest]);
-    }
-  }
-  return pairs;
+  return { ...map, pixels, counts, outputs, shares };
 }
 
 async function readRow(row) {
@@ -160,20 +138,17 @@ function pictureOf(map, values, [low, high], table) {
   const canvas = document.createElement("canvas");
   [canvas.width, canvas.height] = [map.columns, map.rows];
   const pen = canvas.getContext("2d"), image = pen.createImageData(map.columns, map.rows);
-  // Rows rise with y, those of a picture fall.
-  const at = (pixel) => 4 * ((map.rows - 1 - Math.floor(pixel / map.columns)) * map.columns
-    + pixel % map.columns);
   for (let k = 0, entry = 0; k < map.pixels.length; entry += map.counts[k], k++) {
     let value = 0;
     for (let j = entry; j < entry + map.counts[k]; j++) {
       value += map.shares[j] * values[map.outputs[j]];
     }
     const share = Math.min(Math.max((value - low) / (high - low), 0), 1);
-    const row = 4 * Math.round(255 * share), target = at(map.pixels[k]);
+    // Rows rise with y, those of a picture fall.
+    const line = map.rows - 1 - Math.floor(map.pixels[k] / map.columns);
+    const row = 4 * Math.round(255 * share);
+    const target = 4 * (line * map.columns + map.pixels[k] % map.columns);
     for (let c = 0; c < 4; c++) image.data[target + c] = table[row + c];
-  }
-  for (const [outside, inside] of map.beside) {
-    for (let c = 0; c < 4; c++) image.data[at(outside) + c] = image.data[at(inside) + c];
   }
   pen.putImageData(image, 0, 0);
   return canvas;
@@ -189,8 +164,7 @@ function placing(map, width, height, below) {
 
 function drawMap(canvas, map, values, range, kind, marks) {
   const [pen, width, height] = cleared(canvas);
-  const below = marks ? 22 : 0;
-  const [place, scale] = placing(map, width, height, below);
+  const [place, scale] = placing(map, width, height, marks ? BELOW_PX : 0);
   const outline = new Path2D();
   map.outline_mm.forEach(([x, y], k) => outline[k ? "lineTo" : "moveTo"](...place(x, y)));
   outline.closePath();
@@ -256,16 +230,14 @@ function drawBar(canvas, kind) {
 }
 
 function drawCurve(pen, curve, page, width, middle, half, style) {
-  pen.strokeStyle = style;
-  pen.lineWidth = 1.2;
-  pen.lineJoin = "round";
-  pen.beginPath();
-  curve.low.forEach((low, k) => {
-    const x = (curve.first_s + k * curve.step_s - page.first_s) / (page.last_s - page.first_s);
-    pen.lineTo(x * width, middle - curve.high[k] / 127 * half);
-    pen.lineTo(x * width, middle - low / 127 * half);
-  });
-  pen.stroke();
+  const area = new Path2D(), span = page.last_s - page.first_s;
+  const add = (k, value) => area.lineTo(
+    (curve.first_s + k * curve.step_s - page.first_s) / span * width, middle - value / 127 * half);
+  curve.high.forEach((value, k) => add(k, value));
+  for (let k = curve.low.length - 1; k >= 0; k--) add(k, curve.low[k]);
+  [pen.fillStyle, pen.strokeStyle, pen.lineJoin] = [style, style, "round"];
+  pen.fill(area);
+  pen.stroke(area);
 }
 
 const STEPS_S = [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5];
@@ -339,8 +311,7 @@ function drawSkin() {
   if (playing) return;
   byId("map").setAttribute("aria-label", `Skin map. ${text}`);
   byId("time").setAttribute("aria-valuetext", text);
-  byId("low").textContent = minus(String(Number(range[0].toPrecision(2))));
-  byId("high").textContent = minus(String(Number(range[1].toPrecision(2))));
+  [byId("low").textContent, byId("high").textContent] = range.map(numberText);
   byId("unit").textContent = unit;
   drawBar(byId("colours"), kind);
 }
@@ -412,9 +383,8 @@ async function playSound() {
 
 function pointAt(event) {
   const map = page.maps[0], canvas = byId("map");
-  const [place] = placing(map, canvas.clientWidth, canvas.clientHeight, 22);
-  const near = placing(map, canvas.clientWidth, canvas.clientHeight, 22)[1] * NEAREST_MM;
-  let best = -1, least = near ** 2;
+  const [place, scale] = placing(map, canvas.clientWidth, canvas.clientHeight, BELOW_PX);
+  let best = -1, least = (scale * NEAREST_MM) ** 2;
   map.outputs_mm.forEach((at, k) => {
     if (at === null) return;
     const [x, y] = place(...at), far = (x - event.offsetX) ** 2 + (y - event.offsetY) ** 2;
@@ -445,6 +415,7 @@ function writeTexts() {
   byId("synthetic").hidden = !page.synthetic;
   byId("notes").textContent = page.notes;
   byId("notes-part").hidden = !page.notes;
+  byId("hatched").textContent = page.hatched;
   listed("cautions", page.cautions);
   listed("details", page.details);
   listed("citation", page.citation);
@@ -515,7 +486,7 @@ async function showPage(data) {
   page = await readPage(data);
   [byId("time").min, byId("time").max] = [1e3 * page.first_s, 1e3 * page.last_s];
   byId("sound").disabled = !page.sound;
-  timeS = page.loop.begin_s;
+  timeS = page.loop.loudest_s;
   writeTexts();
   writeSpeeds();
   drawAll();
@@ -561,6 +532,6 @@ if (typeof DecompressionStream === "undefined") {
 } else {
   connect();
   showPage(JSON.parse(byId("data").textContent)).then(
-    () => { document.documentElement.dataset.ready = "true"; },
+    () => { document.documentElement.dataset.ready = Math.round(performance.now()); },
     (error) => complain(`The page is damaged (${error.message}). Ask for it again.`));
 }

@@ -57,7 +57,13 @@ from skinsource.export.exported_design import (
     output_file,
 )
 from skinsource.export.packing import citation
-from skinsource.export.plot import NOISE_REACH, SHARE_OF_LARGEST, common_range, least_slow_motion
+from skinsource.export.plot import (
+    HATCHED,
+    NOISE_REACH,
+    SHARE_OF_LARGEST,
+    common_range,
+    least_slow_motion,
+)
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.locations import input_name, output_name
@@ -82,6 +88,7 @@ _SPEEDS = (20.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
 # Squares of band-limited signals have twice their band.
 _FINER = 2
 _MOST_PIXELS, _MOST_POINTS, _MOST_TRACES = 10_000, 600, 8
+_BESIDE = 2.5
 # Peaks of shorter pieces would follow the wave.
 _LEAST_PIECE_S = 0.01
 # Buffers of sound have this rate at least.
@@ -213,7 +220,11 @@ def page_content(exported: ExportedDesign) -> Tree:
         "about": f"{limb_label(design.limb).title} · {field['quantity']}",
         "synthetic": limb.synthetic,
         "cautions": in_short([Judged(label="", note=limb.note, findings=values["validity"])]),
-        "details": [*about(exported, label), exported.loudest_error_line(values["output_rms"])],
+        "details": [
+            *about(exported, label),
+            exported.loudest_error_line(values["output_rms"]),
+            f"in this page: {_passed_on(limb)}",
+        ],
         "citation": citation(design).splitlines(),
         "first_s": times[0],
         "last_s": times[1],
@@ -224,6 +235,7 @@ def page_content(exported: ExportedDesign) -> Tree:
         "range_db": common_range(*shown_db),
         "names": [output_name(number, design.limb).name for number in exported.all_outputs],
         "noisy": noisy,
+        "hatched": f"{HATCHED}." if noisy else "",
         "outputs": outputs,
         "inputs": sorted({track.location for track in audible_inputs(design.inputs)}),
         "maps": list(maps.values()),
@@ -283,14 +295,21 @@ def _rounded(points: Floats) -> list[list[float] | None]:
 # ---- the map ----
 
 
+def _is_published(limb: Limb) -> bool:
+    return limb.name.startswith("measured-")
+
+
 def _map_of(limb: Limb, surface: SurfaceOperator) -> Tree:
-    kind, _, number = limb.name.partition("-")
-    if kind == "measured":
-        drawn = load_limb(f"synthetic-{number}")
+    if _is_published(limb):
+        drawn = load_limb(limb.name.replace("measured", "synthetic"))
         limb, surface = drawn, cached_surface_operator(drawn)
     step = ceil(np.sqrt(surface.mask.sum() / _MOST_PIXELS))
     mask = surface.mask[::step, ::step]
-    pixels = np.arange(surface.mask.size).reshape(surface.mask.shape)[::step, ::step][mask]
+    # Pixels beside those inside are like the nearest one: the outline cuts through them.
+    distance, (row, column) = scipy.ndimage.distance_transform_edt(~mask, return_indices=True)
+    drawn_at = distance < _BESIDE
+    numbers = np.arange(surface.mask.size).reshape(surface.mask.shape)[::step, ::step]
+    pixels = numbers[row, column][drawn_at]
     weights = surface.weights[pixels]
     shares = np.rint(255 * weights.data).astype(np.uint8)
     # Each pixel keeps one weight at least: the largest of several is 1/255 or more of all.
@@ -309,7 +328,7 @@ def _map_of(limb: Limb, surface: SurfaceOperator) -> Tree:
         "inputs_mm": _rounded(limb.map.input_positions * mm),
         "outputs_mm": _rounded(limb.map.output_positions * mm),
         "noise_reach_mm": NOISE_REACH * limb.hand_length_mm,
-        "inside": _packed(mask.astype(np.uint8)),
+        "inside": _packed(drawn_at.astype(np.uint8)),
         "counts": _packed(np.bincount(rows, minlength=len(pixels)).astype(np.uint8)),
         "outputs": _packed(weights.indices[kept].astype("<u2")),
         "weights": _packed(shares[kept]),
@@ -329,8 +348,7 @@ def _field(exported: ExportedDesign, times: _Times) -> Tree:
     name = "moving_z" if signed else "moving_vector"
     moving: Moving = exported.value(name, moving_block=block_of(times[0]))
     rate_hz = moving.sample_rate_hz
-    # Responses to equalised drives begin earlier.
-    before_s = moving.delay_s + exported.value("driven_limb").lead_samples / rate_hz
+    before_s = _before_s(exported, moving)
     first = max(floor((times[0] + before_s) * rate_hz) - REACH, moving.first)
     end = min(ceil((times[1] + before_s) * rate_hz) + REACH + 1, moving.end)
     signals = moving.signals[..., first - moving.first : end - moving.first]
@@ -353,6 +371,12 @@ def _field(exported: ExportedDesign, times: _Times) -> Tree:
     }
 
 
+def _before_s(exported: ExportedDesign, moving: Moving) -> float:
+    """Return how long before time 0 a response begins: with an equaliser, earlier than without."""
+    lead = exported.value("driven_limb").lead_samples
+    return moving.delay_s + float(lead / moving.sample_rate_hz)
+
+
 def _motion(exported: ExportedDesign, times: _Times, *, signed: bool) -> Tree:
     """Return what is repeated, and speeds: the first is one at which the waves can be followed."""
     design, limb = exported.design, exported.limb
@@ -366,9 +390,18 @@ def _motion(exported: ExportedDesign, times: _Times, *, signed: bool) -> Tree:
     begin_s, end_s = max(begin_s, times[0]), min(end_s, times[1])
     if not begin_s < end_s:
         begin_s, end_s = times
+    rate_hz, before_s = moving.sample_rate_hz, _before_s(exported, moving)
+    first, end = (
+        round((time_s + before_s) * rate_hz) - moving.first for time_s in (begin_s, end_s)
+    )
+    loudest = np.square(moving.signals[..., first : end + 1]).sum(axis=(0, 1)).argmax()
     least = least_slow_motion(limb, "z" if signed else "magnitude", _FRAMES_PER_S)
     return {
-        "loop": {"begin_s": begin_s, "end_s": end_s},
+        "loop": {
+            "begin_s": begin_s,
+            "end_s": end_s,
+            "loudest_s": (first + moving.first + int(loudest)) / rate_hz - before_s,
+        },
         "speeds": [ceil(slower), *(factor for factor in _SPEEDS if factor >= least)],
     }
 
@@ -422,6 +455,13 @@ def _traces(exported: ExportedDesign, outputs: Sequence[int], times: _Times) -> 
         peak = f", peak {curve['peak']:.3g} m/s²" if curve else ""
         traces.append({"text": f"Output {number}, {name}{peak}", "curve": curve})
     return traces
+
+
+def _passed_on(limb: Limb) -> str:
+    if limb.synthetic:
+        return "acceleration of all outputs in 16 bits"
+    drawn = "; drawn on a hand of this project" if _is_published(limb) else ""
+    return f"length of the acceleration of all outputs in 8 bits, no responses{drawn}"
 
 
 def _about_traces(limb: Limb, view: View) -> str:

@@ -157,10 +157,13 @@ def test_the_map_of_the_page_is_that_of_the_library():
     levels = np.array(shown["levels"]) / 100
     of_pixels = np.bincount(rows, weights * levels[outputs]) / sums
     inside = unpacked(embedded["inside"], np.uint8).reshape(embedded["rows"], -1).astype(bool)
-    expected = ss.evaluate(design_of(), "surface_levels_db")["surface_levels_db"]
     step = round(embedded["step_mm"])
-    np.testing.assert_allclose(of_pixels, expected[::step, ::step][inside], atol=0.3)
-    assert 5_000 < of_pixels.size < 12_000
+    expected = ss.evaluate(design_of(), "surface_levels_db")["surface_levels_db"][::step, ::step]
+    drawn, known = np.full(expected.shape, np.nan), np.isfinite(expected)
+    drawn[inside] = of_pixels
+    np.testing.assert_allclose(drawn[known], expected[known], atol=0.3)
+    # Others are drawn up to the outline.
+    assert 5_000 < known.sum() < inside.sum() < 15_000
 
 
 def test_traces_and_field_have_the_times_of_the_design_through_an_actuator():
