@@ -20,7 +20,7 @@ from skinsource.export.web_page import content_of, page_content, page_of
 
 #: Ends scripts, begins markup, is no text of JSON, and looks like a field of the template.
 HOSTILE = (
-    "</script><script>hit = 1</script><img src=x onerror='hit=1'><!-- \u2028{{script}}\\u003c\""
+    "</script><img src=x onerror='hit=1'><script>hit = 1</script><!-- \u2028{{script}}\\u003c\""
 )
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
 N_DRAWN = 50
@@ -282,7 +282,9 @@ def test_the_policy_allows_what_is_in_the_page_and_no_request():
     attributes = [given for _, given in read.found]
     (policy,) = [given["content"] for given in attributes if "http-equiv" in given]
     rules = dict(rule.split(" ", 1) for rule in policy.split("; "))
-    assert rules["default-src"] == "'none'"
+    assert set(rules) == {"default-src", "script-src", "style-src", "img-src", "base-uri"}
+    assert rules["default-src"] == rules["base-uri"] == "'none'"
+    assert rules["img-src"] == "data:"
     for tag in ("script", "style"):
         digest = hashlib.sha256(read.within[tag].encode()).digest()
         assert rules[f"{tag}-src"] == f"'sha256-{base64.b64encode(digest).decode()}'"
@@ -395,9 +397,12 @@ def test_the_page_asks_for_nothing(open_page):
 
 
 def test_hostile_texts_are_shown_as_they_are(open_page):
-    browser = open_page(design_of(title=HOSTILE[:60], notes=HOSTILE))
+    snapshot = Snapshot(number=1, design=design_of(), title=HOSTILE[:60])
+    browser = open_page(design_of(title=HOSTILE[:60], notes=HOSTILE), snapshots=(snapshot,))
     assert browser.find_element("id", "notes").get_attribute("textContent") == HOSTILE
     assert browser.find_element("id", "title").text == HOSTILE[:60]
+    captions = browser.find_elements("css selector", "figcaption")
+    assert any(caption.text.startswith(HOSTILE[:60]) for caption in captions)
     assert browser.execute_script("return [window.hit, document.images.length]") == [None, 0]
 
 
@@ -418,9 +423,11 @@ def test_keys_play_and_step(open_page):
     open_page.wait(browser, moved)
     body.send_keys(" ")
     assert play.text == "Play"
-    # A button has its own use of the keys.
-    play.send_keys(" ")
-    assert play.text == "Pause"
+    # What opens has its own use of the key.
+    summary = browser.find_element("css selector", "#levels-summary")
+    summary.send_keys(" ")
+    assert browser.find_element("id", "levels").is_displayed()
+    assert play.text == "Play"
 
 
 def test_the_drive_plays_and_stops(open_page):
