@@ -42,6 +42,7 @@ from .export.result import Result as Result
 from .export.result import result as result
 from .export.stimulus_export.export import export_stimulus as export_stimulus
 from .export.stimulus_export.options import StimulusOptions as StimulusOptions
+from .export.web_page import export_page as export_page
 from .export.wiring import export_wiring as export_wiring
 from .lab import calibrating as calibrating
 from .lab import matching as matching

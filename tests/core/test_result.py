@@ -1,9 +1,13 @@
 """Results: values with axes, units and labels, which draw themselves."""
 
+import base64
+import re
 import sys
+from io import BytesIO
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, MissingExtraError
@@ -72,3 +76,20 @@ def test_what_is_no_listed_quantity_is_refused():
         ss.result(DESIGN, "output_level_db")
     with pytest.raises(InvalidInputError, match=r"is not an array; see skinsource\.quantities"):
         ss.result(DESIGN, "limb_map")
+
+
+def test_a_notebook_shows_levels_as_a_map_and_the_strongest_outputs():
+    result = ss.result(LOUDER, view=VIEW)
+    html = result._repr_html_()
+    (image,) = re.findall(r'src="data:image/png;base64,([^"]+)"', html)
+    with Image.open(BytesIO(base64.b64decode(image))) as picture:
+        rows, columns = ss.surface_operator("synthetic-1").mask.shape
+        assert picture.size == (columns, rows)
+    loudest = int(np.argmax(result.values)) + 1
+    assert f"<tr><td>{loudest}</td>" in html
+    assert len(html) < 200_000
+    assert "<script" not in html
+    # Others say what they are.
+    traces = ss.result(LOUDER, "selected_traces", view=VIEW)._repr_html_()
+    assert "2 n_selected x " in traces
+    assert "<img" not in traces

@@ -64,6 +64,8 @@ def test_a_preview_begins_as_the_file_and_lists_what_an_archive_holds(
     assert summary == f"rms-levels.csv, {size_text((tmp_path / 'levels.csv').stat().st_size)}."
     assert "acceleration_m_per_s2: float64, (72, 3, " in preview("field").text.toPlainText()
     assert "stimulus.wav.json, " in preview("pack").text.toPlainText()
+    # Of a web page, how it was computed, and no code.
+    assert preview("page").text.toPlainText().startswith("SkinSource studio\n")
     window.exports.end()
 
 

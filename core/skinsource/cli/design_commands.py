@@ -1,4 +1,4 @@
-"""``skinsource show``, ``render``, ``film``, ``pack`` and ``check``: a design and its results."""
+"""``skinsource show``, ``render``, ``film``, ``share``, ``pack``, ``check``: a design's results."""
 
 import argparse
 import sys
@@ -19,6 +19,7 @@ from skinsource.export import plot
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.packing import pack
 from skinsource.export.tables import write_levels, write_map, write_map_picture, write_traces
+from skinsource.export.web_page import export_page
 from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
 from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import facts_of
@@ -64,7 +65,15 @@ def add_to(subparsers: Any) -> None:
         help="how many times slower than real time (default: 20, or more for fast waves)",
     )
     film.set_defaults(run=_film)
-    for parser in (show, render, film):
+    share = subparsers.add_parser(
+        "share",
+        help="write a design file as a web page: moving map, levels, traces, snapshots, drive",
+        description="Writes one file that any browser of 2023 or later shows, without a request to "
+        "anything. Of a measured limb it holds magnitudes in 8 bits, and not the responses.",
+    )
+    share.add_argument("--out", type=Path, required=True, metavar="FILE", help="a .html file")
+    share.set_defaults(run=_share)
+    for parser in (show, render, film, share):
         parser.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
     where = "where to write (default: here)"
     render.add_argument("--out", type=Path, default=Path(), metavar="FOLDER", help=where)
@@ -116,6 +125,13 @@ def _film(arguments: argparse.Namespace) -> None:
             title=content.design.title,
             progress=WithTimeLeft(bar),
         )
+    sys.stdout.write(f"{arguments.out}\n")
+
+
+def _share(arguments: argparse.Namespace) -> None:
+    content = open_design(arguments.design)
+    make_folder(arguments.out.parent)
+    export_page(content.design, arguments.out, view=content.view)
     sys.stdout.write(f"{arguments.out}\n")
 
 

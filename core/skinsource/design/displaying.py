@@ -39,7 +39,7 @@ def _lane(
     size = float(np.abs(drive.samples).max())
     scale = _LANE_PX / (end_s * sample_rate_hz)
     points = " ".join(
-        f"{left + x:.1f},{middle - 0.44 * _LANES_PX * y:.1f}"
+        f"{left + x:.4g},{middle - 0.44 * _LANES_PX * y:.1f}"
         for x, y in _outline(drive.samples / size, first * scale, scale)
     )
     line = f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1"/>'

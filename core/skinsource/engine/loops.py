@@ -158,15 +158,18 @@ def common_turns(durations_s: Sequence[float], most: int) -> tuple[int, bool]:
     return nearest + 1, bool(missed[nearest] == 0.0)
 
 
-def animation_of(design: Design, view: View) -> tuple[float, float, float]:
+def animation_of(
+    design: Design, view: View, moving: Moving | None = None
+) -> tuple[float, float, float]:
     """Return begin and end of what an animation repeats, and how many times slower it runs.
 
     Times are those of the playhead, s.  At a chosen speed it is all that moves; else a steady tone
-    is shown in its middle, for one period.
+    is shown in its middle, for one period.  ``moving`` is `moving_name` of the design, if known.
     """
-    onset_s = min((part.onset_s for part in _played(design)), default=0.0)
-    name = moving_name(design.limb)
-    moving = evaluate(design, name, view=View(playhead_s=onset_s))[name]
+    if moving is None:
+        onset_s = min((part.onset_s for part in _played(design)), default=0.0)
+        name = moving_name(design.limb)
+        moving = evaluate(design, name, view=View(playhead_s=onset_s))[name]
     loop, tone = loop_of(design, moving), _only_tone(design)
     slow_motion = view.slow_motion or loop.slow_motion
     if tone is not None and not view.slow_motion and loop.phasors is not None:

@@ -218,8 +218,8 @@ _BAR_MM: dict[Part, float] = {"arm": 50.0, "hand": 20.0}
 _BELOW_MM = 24.0
 # The hand and a little of the wrist, in hand lengths.
 _HAND_PART = 1.06
-# Around an output, about half of the way to its neighbours, in hand lengths.
-_NOISE_REACH = 0.08
+#: Noise is hatched around an output, half of the way to its neighbours, in hand lengths.
+NOISE_REACH = 0.08
 # Visible on dark and on light colours.
 _STROKES, _STROKE_COLOUR = "//////", "#B0B0B0"
 #: What strokes over a map mean.
@@ -428,7 +428,7 @@ def draw_map(
     limb = levels.limb
     table = _COLOUR_MAPS["diverging" if signed else "sequential"]
     image, outline = _draw_field(ax, levels, colours, table)
-    reach_mm = _NOISE_REACH * limb.hand_length_mm
+    reach_mm = NOISE_REACH * limb.hand_length_mm
     _hatch(ax, limb.output_positions_mm, levels.noisy, reach_mm, outline)
     _mark(ax, limb.input_positions_mm, levels.places, "input")
     _mark(ax, limb.output_positions_mm, outputs, "output")
@@ -1083,8 +1083,8 @@ def draw_extent(ax: Any, windowed: WindowedLevels, n: int) -> None:
     )
 
 
-# Along z colours end at this share of the largest acceleration, which is near the input.
-_SHARE_OF_LARGEST = 0.25
+#: Along z colours end at this share of the largest acceleration, which is near the input.
+SHARE_OF_LARGEST = 0.25
 _FILM_DPI = 220
 #: Ten minutes.
 MOST_FRAMES = 36_000
@@ -1185,9 +1185,7 @@ def _slow_motion(limb: Limb, quantity: str, per_s: int, chosen: float | None) ->
     InvalidInputError
         The chosen one has fewer than two frames in a period of the fastest waves.
     """
-    highest_hz = limb.band_hz[1] if limb.band_hz else limb.sample_rate_hz / 2.0
-    # The length of a vector moves twice as fast.
-    least = 2.0 * highest_hz * (2.0 if quantity == "magnitude" else 1.0) / per_s
+    least = least_slow_motion(limb, quantity, per_s)
     if chosen is None:
         return max(20.0, float(np.ceil(least)))
     if positive_number("slow_motion", chosen) < least:
@@ -1196,6 +1194,13 @@ def _slow_motion(limb: Limb, quantity: str, per_s: int, chosen: float | None) ->
             "two frames in a period of the fastest waves"
         )
     return chosen
+
+
+def least_slow_motion(limb: Limb, quantity: str, per_s: int) -> float:
+    """Return in how slow motion there are two frames in a period of the fastest waves."""
+    highest_hz = limb.band_hz[1] if limb.band_hz else limb.sample_rate_hz / 2.0
+    # The length of a vector moves twice as fast.
+    return 2.0 * highest_hz * (2.0 if quantity == "magnitude" else 1.0) / per_s
 
 
 class _Shot:
@@ -1215,7 +1220,7 @@ class _Shot:
         self._name = "moving_z" if self._signed else "moving_vector"
         levels = levels_of(design, None, view)
         self._surface = levels.surface
-        largest = self._moving(0.0).largest * _SHARE_OF_LARGEST
+        largest = self._moving(0.0).largest * SHARE_OF_LARGEST
         end = (largest or 1.0) if limit is None else positive_number("limit", limit)
         self._figure = new_figure(*_MAP_FIGURE_MM)
         self._figure.set_dpi(_FILM_DPI)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -49,6 +50,10 @@ class Result:
     def __repr__(self) -> str:
         size = " x ".join(f"{len(along)} {name}" for name, along in self.axes.items())
         return f"<Result {self.name}: {size or self.values} in {self.unit or 'no unit'}>"
+
+    def _repr_html_(self) -> str:
+        """Return the HTML that a notebook shows."""
+        return importlib.import_module("skinsource.export.displaying").html_of(self)
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray:
         return np.array(self.values, dtype=dtype, copy=copy)

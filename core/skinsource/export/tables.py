@@ -435,7 +435,9 @@ def _map_content(exported: ExportedDesign) -> tuple[dict[str, Any], list[str]]:
     return results, [*about(exported, about_axes(exported), levels), error_line]
 
 
-def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
+def picture_of(
+    levels_db: Floats, top_db: float, magnification: int = _MAGNIFICATION
+) -> NDArray[np.uint8]:
     """Return the colours of a map, (magnified rows, magnified columns, 3), its highest row first.
 
     Parameters
@@ -444,13 +446,15 @@ def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
         NaN outside the outline, which is white.
     top_db
         Level of the lightest colour.
+    magnification
+        Pixels of the picture, in each direction, for one of the map.
     """
     inside = np.isfinite(levels_db)
     share = np.clip((np.where(inside, levels_db, top_db) - top_db) / MAP_RANGE_DB + 1.0, 0.0, 1.0)
     at = np.linspace(0.0, 1.0, len(_ANCHORS))
     colours = np.stack([np.interp(share, at, channel) for channel in _ANCHORS.T], axis=-1)
     pixels = np.where(inside[..., None], np.rint(colours), _OUTSIDE_VALUE).astype(np.uint8)
-    return pixels[::-1].repeat(_MAGNIFICATION, axis=0).repeat(_MAGNIFICATION, axis=1)
+    return pixels[::-1].repeat(magnification, axis=0).repeat(magnification, axis=1)
 
 
 export_map, export_map_picture = Export(write_map), Export(write_map_picture)

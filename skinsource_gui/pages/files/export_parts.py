@@ -1,5 +1,6 @@
 """Parts of the export dialog: what is asked before an export, and a preview of what is written."""
 
+import importlib
 import zipfile
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
@@ -340,6 +341,10 @@ def preview_of(write: Callable[..., Any], name: str, stop: Stop) -> tuple[str, i
                 lines = [
                     f"{entry.filename}, {size_text(entry.file_size)}" for entry in archive.filelist
                 ]
+        elif path.suffix == ".html":
+            # Imported when it is used: the start of the studio does not wait for it.
+            pages = importlib.import_module("skinsource.export.web_page")
+            lines = pages.content_of(path.read_text("utf-8"))["details"]
         else:
             with path.open("rb") as file:
                 head = file.read(_HEAD_BYTES + 1)

@@ -89,6 +89,11 @@ def _pack(path: Path, design: Design, view: View, *, largest_error: float, **job
     packing.pack(path, design, view, **job)
 
 
+def _page(path: Path, design: Design, view: View, **job: Any) -> None:
+    # As below.
+    importlib.import_module("skinsource.export.web_page").export_web_page(path, design, view, **job)
+
+
 def _wiring(path: Path, design: Design, view: View, **wired: Any) -> None:
     # Nothing is predicted.
     for name in ("progress", "stop", "largest_error"):
@@ -106,6 +111,7 @@ _WRITES: dict[str, Write] = {
     "map": export_map,
     "windows": export_windows,
     "field": export_field,
+    "page": _page,
     PACK: _pack,
     WIRING: _wiring,
 }

@@ -62,6 +62,12 @@ def test_a_long_track_is_drawn_with_few_points_and_its_peaks():
     assert max(heights) - min(heights) == pytest.approx(2 * 0.44 * 36, abs=0.3)
 
 
+def test_many_long_tracks_take_less_than_200_kb():
+    noise = ss.waveforms.Noise(seed=1, duration_s=5.0)
+    many = ss.Design(limb="synthetic-1", inputs=tuple(ss.track(7, noise) for _ in range(30)))
+    assert 100_000 < len(many._repr_html_()) < 200_000
+
+
 def test_many_clips_are_counted_and_not_all_listed():
     clips = tuple(ss.Clip(waveform=ss.waveforms.Tap(), onset_s=0.02 * k) for k in range(60))
     design = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=3, clips=clips),))
