@@ -50,6 +50,21 @@ def moving(signals, first=0, n_times=None):
     )
 
 
+@pytest.mark.parametrize("name", ["moving_z", "moving_vector"])
+def test_what_moves_before_time_0_through_an_equaliser_is_at_its_own_time(name):
+    at = ss.ActuatorAt(actuator="example-voice-coil", model=ss.actuators.load("example-voice-coil"))
+    through = ss.Actuation(actuators=(at,), equaliser=ss.equalising.RegularisedInverse())
+    design = replace(SHORT, inputs=SHORT.inputs[:1], actuation=through)
+    wanted = (name, "axis_traces", "response_time_s")
+    values = ss.evaluate(design, *wanted, view=replace(VIEW, delay_removed=False))
+    times_s, traces = values["response_time_s"], values["axis_traces"]
+    assert times_s[0] < -0.01
+    strongest = int(np.abs(traces[0]).max(axis=0).argmax())
+    for k in (strongest - 40, strongest, strongest + 7):
+        moves = values[name].acceleration(float(times_s[k]))[VIEW.outputs[0] - 1]
+        np.testing.assert_allclose(moves, traces[0, -moves.size :, k], rtol=0, atol=1e-9)
+
+
 @pytest.mark.parametrize("frequency_hz", [25.0, 217.0, 598.0])
 def test_between_samples_a_tone_is_the_tone(frequency_hz):
     times = np.arange(400) / RATE

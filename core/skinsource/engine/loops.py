@@ -133,7 +133,7 @@ def loop_of(design: Design, moving: Moving, *, passes: bool = False) -> Loop:
     the response to tones without beginning and end.  Not so where it ``passes``.
     """
     tone = None if passes else _only_tone(design)
-    whole = moving.first == 0 and moving.end == moving.response_samples
+    whole = moving.first <= 0 and moving.end == moving.response_samples
     if tone is not None and whole and moving.largest > 0.0:
         hz = tone[1].frequency_hz
         return Loop(
@@ -249,7 +249,8 @@ def _steady(clip: Clip, tone: Tone, moving: Moving) -> Complexes:
     played = samples @ np.exp(-2j * np.pi * hz * (first + np.arange(samples.size)) / rate_hz)
     # sin(ωt + φ) is the real part of -i e^iφ e^iωt.
     endless = -1j * np.exp(1j * (tone.phase_rad - 2 * np.pi * hz * clip.onset_s))
-    turns = np.exp(-2j * np.pi * hz * np.arange(moving.signals.shape[-1]) / rate_hz)
+    times_s = (moving.first + np.arange(moving.signals.shape[-1])) / rate_hz
+    turns = np.exp(-2j * np.pi * hz * times_s)
     phasors: Complexes = (moving.signals @ turns) * (endless / played)
     return phasors
 

@@ -28,9 +28,9 @@ class _PartOfResponse:
     Attributes
     ----------
     first
-        Sample of the response at which it begins.
+        Sample at which it begins, counted from time 0 of the design: an equaliser begins before.
     response_samples
-        Samples of the whole response.
+        Samples of the whole response from time 0 on.
     largest
         Largest length of the vector at any output and any sample of the whole response, m/s².
     delay_s
@@ -155,13 +155,14 @@ def moving_z(
     moving_window: Window,
     moving_z_largest: float | None,
     response_samples: int,
+    driven_limb: Limb,
     limb_data: Limb,
     stop: Stop,
 ) -> Moving:
     """Acceleration of all outputs along z, the axis that is normal to the skin everywhere."""
     axes = _z_axis(limb_data)
     signals = _signals(total_spectrum, streamed_vibration, moving_window, axes, limb_data, stop)
-    return _moving(signals, moving_window, response_samples, limb_data, moving_z_largest)
+    return _moving(signals, moving_window, response_samples, driven_limb, moving_z_largest)
 
 
 def moving_vector(
@@ -170,13 +171,14 @@ def moving_vector(
     moving_window: Window,
     moving_vector_largest: float | None,
     response_samples: int,
+    driven_limb: Limb,
     limb_data: Limb,
     stop: Stop,
 ) -> Moving:
     """Acceleration of all outputs on all axes."""
     axes = _all_axes(limb_data)
     signals = _signals(total_spectrum, streamed_vibration, moving_window, axes, limb_data, stop)
-    return _moving(signals, moving_window, response_samples, limb_data, moving_vector_largest)
+    return _moving(signals, moving_window, response_samples, driven_limb, moving_vector_largest)
 
 
 def moving_energy(
@@ -242,9 +244,9 @@ def _moving(
         largest = float(magnitude(signals).max(initial=0.0))
     return Moving(
         signals=signals,
-        first=window[0],
+        first=window[0] - limb.lead_samples,
         sample_rate_hz=limb.sample_rate_hz,
-        response_samples=response_samples,
+        response_samples=response_samples - limb.lead_samples,
         largest=largest,
         delay_s=limb.pre_trigger_delay_s,
     )

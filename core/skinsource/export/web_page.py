@@ -348,7 +348,7 @@ def _field(exported: ExportedDesign, times: _Times) -> Tree:
     name = "moving_z" if signed else "moving_vector"
     moving: Moving = exported.value(name, moving_block=block_of(times[0]))
     rate_hz = moving.sample_rate_hz
-    before_s = _before_s(exported, moving)
+    before_s = moving.delay_s
     first = max(floor((times[0] + before_s) * rate_hz) - REACH, moving.first)
     end = min(ceil((times[1] + before_s) * rate_hz) + REACH + 1, moving.end)
     signals = moving.signals[..., first - moving.first : end - moving.first]
@@ -371,12 +371,6 @@ def _field(exported: ExportedDesign, times: _Times) -> Tree:
     }
 
 
-def _before_s(exported: ExportedDesign, moving: Moving) -> float:
-    """Return how long before time 0 a response begins: with an equaliser, earlier than without."""
-    lead = exported.value("driven_limb").lead_samples
-    return moving.delay_s + float(lead / moving.sample_rate_hz)
-
-
 def _motion(exported: ExportedDesign, times: _Times, *, signed: bool) -> Tree:
     """Return what is repeated, and speeds: the first is one at which the waves can be followed."""
     design, limb = exported.design, exported.limb
@@ -390,7 +384,7 @@ def _motion(exported: ExportedDesign, times: _Times, *, signed: bool) -> Tree:
     begin_s, end_s = max(begin_s, times[0]), min(end_s, times[1])
     if not begin_s < end_s:
         begin_s, end_s = times
-    rate_hz, before_s = moving.sample_rate_hz, _before_s(exported, moving)
+    rate_hz, before_s = moving.sample_rate_hz, moving.delay_s
     first, end = (
         round((time_s + before_s) * rate_hz) - moving.first for time_s in (begin_s, end_s)
     )

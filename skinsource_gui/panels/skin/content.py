@@ -400,4 +400,4 @@ def end_s(signals: Moving | SlidingEnergy | None, view: View) -> float:
 
 def is_whole(signals: Moving | SlidingEnergy | None) -> bool:
     """Return whether the signals hold the whole response, not a part around the playhead."""
-    return signals is None or (signals.first == 0 and signals.end >= signals.response_samples)
+    return signals is None or (signals.first <= 0 and signals.end >= signals.response_samples)
