@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-BEGIN = ("README.md", "CONTRIBUTING.md")
+BEGIN = ("README.md", "CONTRIBUTING.md", "docs/index.md")
 PAGES = [ROOT / name for name in (*BEGIN, "CHANGELOG.md")] + sorted((ROOT / "docs").rglob("*.md"))
 #: Paths that begin like this are those of files of the project.
 CODE = "benchmarks", "core", "examples", "skinsource_gui", "tests"
@@ -22,6 +22,12 @@ def links_of(page: Path) -> list[Path]:
     """What it leads to within the project."""
     targets = re.findall(r"\]\((?!http)([^)#]+)", text_of(page))
     return [(page.parent / target).resolve() for target in targets]
+
+
+def shown_beside(page: Path) -> list[Path]:
+    """Pages that a list of the site names, by themselves or by a pattern."""
+    lists = re.findall(r"```{toctree}\n(?::.*\n)*\n((?:.*\n)*?)```", text_of(page))
+    return [path for names in lists for n in names.split() for path in page.parent.glob(f"{n}.md")]
 
 
 def anchors_of(page: Path) -> set[str]:
@@ -51,5 +57,5 @@ def test_every_page_is_reached_from_the_readme_or_from_what_contributors_read():
         page = ahead.pop()
         if page.suffix == ".md" and page not in reached:
             reached.add(page)
-            ahead += links_of(page)
+            ahead += links_of(page) + shown_beside(page)
     assert {page.name for page in set(PAGES) - reached} == {"CHANGELOG.md"}
