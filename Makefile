@@ -36,9 +36,10 @@ fix: .venv/ready-to-test  ## let ruff mend what it can
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-pictures: .venv/ready-to-test  ## pictures of the window in build/pictures, and docs/window.png
+pictures: .venv/ready-to-test  ## of the window: build/pictures, docs/window.png, docs/pictures
 	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/pictures.py
 	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/pictures_in_use.py
+	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/tutorial.py
 
 bench: .venv/ready-to-test  ## promises of speed and memory, as ratios; on any machine (5 minutes)
 	@failed=0; for each in $(BENCHMARKS); do \
