@@ -251,15 +251,7 @@ def wave_of(time_s: Floats, signals: Floats) -> Wave:
 def _extremes(signals: Floats, first: int, end: int) -> Extremes | None:
     if end - first > MOST_WHILE_DRAWN:
         return None
-    if signals.size > MOST_WHILE_DRAWN:
-        return extremes_between(signals, first, end)
-    return _last_extremes(signals.tobytes(), signals.shape, first, end)
-
-
-# What an input plays is often its only clip: the inspector draws it, and the timeline again.
-@lru_cache(maxsize=1)
-def _last_extremes(samples: bytes, shape: tuple[int, ...], first: int, end: int) -> Extremes:
-    return extremes_between(np.frombuffer(samples).reshape(shape), first, end)
+    return extremes_between(signals, first, end)
 
 
 _READING_DIGITS = 4

@@ -4,8 +4,10 @@
 """
 
 import ctypes
+import importlib
 import os
 import sys
+from pathlib import Path
 
 #: Libraries that Qt loads on Linux, and the Debian package of each.
 _ALWAYS = {
@@ -51,6 +53,15 @@ def install_line(packages: list[str]) -> str:
     """Return the command that installs ``packages`` on Debian and Ubuntu."""
     rights = "" if os.geteuid() == 0 else "sudo "
     return f"{rights}apt-get install -y {' '.join(packages)}"
+
+
+def started_platform(_: Path) -> str:
+    """Start Qt and return the platform that it draws on; the path is not read."""
+    if not has_display():
+        os.environ["QT_QPA_PLATFORM"] = "offscreen"
+    gui = importlib.import_module("PySide6.QtGui")
+    name = gui.QGuiApplication([]).platformName()
+    return f"starts, platform {name}"
 
 
 def _opens(library: str) -> bool:

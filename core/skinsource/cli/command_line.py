@@ -10,6 +10,7 @@ from skinsource.base.run_limited import serve_if_asked
 from skinsource.cli import (
     bench_command,
     design_commands,
+    doctor_command,
     limb_commands,
     scene_commands,
     stimulus_commands,
@@ -25,7 +26,7 @@ _COMMAND_MODULES = {
     "stimuli for actuators": (stimulus_commands,),
     "figures of the paper": (scene_commands,),
     "limbs": (limb_commands, dataset_commands),
-    "this program": (bench_command,),
+    "this program": (doctor_command, bench_command),
 }
 
 _FAILED, _STOPPED, _UNREAD = 1, 130, 141

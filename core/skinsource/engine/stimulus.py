@@ -6,7 +6,7 @@ and polarity, volts and delays of the channels of a rig.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import ceil, floor
@@ -125,6 +125,31 @@ class Stimulus:
     def with_samples(self, samples: Floats, **changes: object) -> Stimulus:
         """Return a copy that holds other samples."""
         return replace(self, samples=samples, **changes)  # type: ignore[arg-type]
+
+
+def stimulus_of_outputs(samples: Mapping[int, Floats], sample_rate_hz: int) -> Stimulus:
+    """Return samples that are parts of full scale, (n_times,) each, by output, from 1, as channels.
+
+    `skinsource.Player` plays them on these outputs, such as those of an exported file.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from skinsource.engine.stimulus import stimulus_of_outputs
+    >>> stimulus_of_outputs({3: np.zeros(480)}, 48_000).channels[0].title
+    'output 3'
+    """
+    channels = [Channel(number=n, place=n, title=f"output {n}") for n in samples]
+    return Stimulus(
+        channels=tuple(channels),
+        samples=np.array(list(samples.values())),
+        sample_rate_hz=sample_rate_hz,
+        limb="",
+        scaling="probe",
+        own_rate_hz=sample_rate_hz,
+        unit=FULL_SCALE_UNIT,
+        limb_band_hz=None,
+    )
 
 
 def numbered(channels: Iterable[Channel]) -> tuple[Channel, ...]:

@@ -39,6 +39,7 @@ from skinsource.lab.playing.devices import (
     Output,
 )
 from skinsource.lab.playing.stream import HIGHEST_DB, LOWEST_DB, START_DB
+from skinsource.lab.playing.triggers import BITS
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
@@ -79,6 +80,8 @@ _GAIN = NumberSpec(
     hint=f"How strongly it is played; each session starts at {START_DB:g} dB",
 )
 _SHIFT = number_named("shift", minimum=LEAST_SHIFT_HZ, maximum=MOST_SHIFT_HZ)
+_TRIGGER = number_named("trigger_output", minimum=0, maximum=MOST_OUTPUTS)
+_CODE = number_named("trigger_code", minimum=0, maximum=2**BITS - 1)
 _EARS = SwitchSpec(
     label="Audible preview",
     hint="Without actuators: all channels in stereo, with frequencies shifted up",
@@ -89,6 +92,8 @@ _OTHERS: tuple[tuple[str, Spec], ...] = (
     ("latency_s", _DELAY),
     ("stand_in", _EARS),
     ("shift_hz", _SHIFT),
+    ("trigger_output", _TRIGGER),
+    ("trigger_code", _CODE),
 )
 
 
@@ -143,16 +148,20 @@ class DeviceFields(QObject):
         rate: Any = self.cells["sample_rate_hz"].field
         _fill(rate, rate_options, str(played.output.sample_rate_hz))
         self.rig.show_rig(rig_title)
-        for name in ("latency_s", "stand_in", "shift_hz"):
+        for name, _ in _OTHERS[1:]:
             self.cells[name].set_value(getattr(played.output, name))
         self.cells["shift_hz"].setEnabled(played.output.stand_in)
+        self.cells["trigger_output"].setEnabled(not played.output.stand_in)
+        triggers = played.output.trigger_output > 0 and not played.output.stand_in
+        self.cells["trigger_code"].setEnabled(triggers)
 
     def _choose_device(self, key: str, _gesture: int | None) -> None:
         name, _, host_api = key.partition(_BETWEEN)
         self.output_requested.emit(replace(self._output, device=name, host_api=host_api))
 
     def _edit(self, name: str, value: Any, _gesture: int | None) -> None:
-        changed: dict[str, Any] = {name: int(value) if name == "sample_rate_hz" else value}
+        whole = name in ("sample_rate_hz", "trigger_output", "trigger_code")
+        changed: dict[str, Any] = {name: int(value) if whole else value}
         self.output_requested.emit(replace(self._output, **changed))
 
 

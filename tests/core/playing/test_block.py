@@ -1,11 +1,12 @@
 """Blocks for a device: samples, limits, and levels."""
 
 import tracemalloc
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from skinsource.lab.playing.stream import next_block
+from skinsource.lab.playing.stream import Due, PlayQueue, next_block
 from tests.core.playing import playing_bench
 
 WINDOW = playing_bench.RATE_HZ // 10
@@ -94,21 +95,32 @@ def test_the_gain_that_is_named_is_low_enough_for_all_that_comes():
     assert stated_db == pytest.approx(-20 * np.log10(7.0), abs=0.11)
 
 
+@pytest.mark.parametrize("later", [0, 39, 40, 41, 139, 140, 141, 1000])
+def test_what_is_due_begins_at_the_sample_of_its_time_and_as_soon_as_it_can(later):
+    rate_hz, fade, n = playing_bench.RATE_HZ, playing_bench.FADE, 100
+    rests, begun = [], []
+    queue = PlayQueue(1, rate_hz, 0.0, lambda: rests.append(True))
+    mix = playing_bench.mix(np.full(300, 0.5))
+    queue.due = Due(mix, 10.0 + later / rate_hz, begun.append)
+    heard = []
+    for number in range(20):
+        queue.begin_due(10.0 + number * n / rate_hz, n)
+        heard.append(playing_bench.block(queue, n))
+    samples = np.concatenate(heard, axis=1)[0]
+    # Before the first sample there is a fade of silence.
+    first = max(later, fade)
+    assert begun == [pytest.approx(10.0 + first / rate_hz)]
+    assert np.array_equal(
+        samples, np.r_[np.zeros(first), np.full(300, 0.5), np.zeros(1700 - first)]
+    )
+    assert rests == [True]
+    assert queue.ending is None
+
+
 def test_the_limit_is_told_apart_from_what_is_no_number():
     live = playing_bench.playing(playing_bench.mix(np.full(400, 0.5)))
     playing_bench.block(live, playing_bench.FADE)
-    live.mix = object.__new__(type(live.mix))
-    broken = np.full((1, 400), np.nan, np.float32)
-    for name, value in (
-        ("samples", broken),
-        ("sample_rate_hz", playing_bench.RATE_HZ),
-        ("peak", 0.5),
-        ("names", ("place 1",)),
-        ("loop", None),
-        ("seam", broken[:, :0]),
-        ("most_gain", np.inf),
-    ):
-        object.__setattr__(live.mix, name, value)
+    live.mix = replace(live.mix, samples=np.full((1, 400), np.nan, np.float32))
     output = playing_bench.block(live, 100)
     assert np.isfinite(output).all()
     assert live.ending.reason == "broken"

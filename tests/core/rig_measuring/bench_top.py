@@ -48,6 +48,10 @@ def relative_error(measured):
     return float(np.abs(measured.response.response(HZ) / COIL.response(HZ) - 1.0).max())
 
 
+#: What the card tells of a block: it was recorded 10 ms before it is played.
+TIMES = SimpleNamespace(inputBufferAdcTime=5.0, outputBufferDacTime=5.010)
+
+
 class Duplex(MadeUpStream):
     """Asks for block after block, and answers with what the actuator did."""
 
@@ -73,7 +77,7 @@ class Duplex(MadeUpStream):
             status = SimpleNamespace(output_underflow=lost, input_overflow=False)
             over = False
             try:
-                self.asked["callback"](np.clip(came, -1, 1).astype("f4"), out, n, None, status)
+                self.asked["callback"](np.clip(came, -1, 1).astype("f4"), out, n, TIMES, status)
             except CallbackStop:
                 over = True
             self.played.append(out)

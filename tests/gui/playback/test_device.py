@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QLabel, QToolButton
 
 from skinsource.lab.playing import session
 from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.triggers import code_in
 
 WAIT = {"timeout": 20_000}
 
@@ -54,6 +55,21 @@ def test_device_rate_delay_and_stand_in_are_chosen_there(sound, player, panel, q
     assert "All frequencies sound 250 Hz higher" in text_of(panel, "output_words")
     rate.choose("44100")
     assert player.settings.output.sample_rate_hz == 44_100
+
+
+def test_a_trigger_is_given_an_output_and_is_played_there(sound, player, panel, arm, studio, qtbot):
+    cells = panel.fields.cells
+    assert not cells["trigger_code"].isEnabled()
+    panel.fields.device.choose("Eight\nMade up")
+    cells["trigger_output"].field.edited.emit(3.0, None)
+    assert cells["trigger_code"].isEnabled()
+    cells["trigger_code"].field.edited.emit(37.0, None)
+    assert player.settings.output.trigger_output == 3
+    arm()
+    studio.do("play_on_actuators")
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+    assert code_in(sound.streams[-1].samples[2], 48_000)[0] == 37
 
 
 def test_each_place_has_an_output_and_two_of_them_change_places(sound, player, panel):

@@ -24,6 +24,8 @@ from skinsource.base.errors import (
 )
 from skinsource.base.extras import extra_line, package_of_extra
 from skinsource.design.design import Design
+from skinsource.engine.stimulus import Stimulus
+from skinsource.lab.playing.triggers import BITS
 from skinsource.signals.resampling import resample
 
 if TYPE_CHECKING:
@@ -60,6 +62,9 @@ class Output:
         Whether the design is made audible on two channels, for people without actuators.
     shift_hz
         Shift of all frequencies in the stand-in.
+    trigger_output, trigger_code
+        Output, from 1, that tells recorders when a stimulus begins, and the code from 0 to 255
+        that it tells (`skinsource.lab.playing.triggers`); output 0: none does.
     """
 
     device: str = ""
@@ -69,6 +74,8 @@ class Output:
     outputs: tuple[tuple[int, int], ...] = ()
     stand_in: bool = False
     shift_hz: float = 300.0
+    trigger_output: int = 0
+    trigger_code: int = 1
 
     def __post_init__(self) -> None:
         for name, value in (("device", self.device), ("host_api", self.host_api)):
@@ -78,6 +85,8 @@ class Output:
         least_s, most_s = SHORTEST_LATENCY_S, LONGEST_LATENCY_S
         real_number("latency_s", self.latency_s, least=least_s, most=most_s)
         real_number("shift_hz", self.shift_hz, least=LEAST_SHIFT_HZ, most=MOST_SHIFT_HZ)
+        integer("trigger_output", self.trigger_output, 0, MOST_OUTPUTS)
+        integer("trigger_code", self.trigger_code, 0, 2**BITS - 1)
         for place, output in self.outputs:
             integer("place", place, 1, MOST_LOCATIONS)
             integer("output", output, 1, MOST_OUTPUTS)
@@ -354,9 +363,14 @@ class DeviceRows:
         return resampled
 
 
-def outputs_by_place(design: Design, output: Output, rig: "Rig | None" = None) -> dict[int, int]:
-    """Return the output of each location of a design, audible or not, that the rig wires."""
-    places = tuple(dict.fromkeys(track.location for track in design.inputs))
+def outputs_by_place(
+    played: Design | Stimulus, output: Output, rig: "Rig | None" = None
+) -> dict[int, int]:
+    """Return the output of each place that the rig wires; of a design, audible or not."""
+    if isinstance(played, Stimulus):
+        places = tuple(each.place for each in played.channels if each.place is not None)
+    else:
+        places = tuple(dict.fromkeys(track.location for track in played.inputs))
     if rig is None or output.stand_in:
         return output.outputs_of(places)
     channels = (rig.channel_of(place) for place in places)

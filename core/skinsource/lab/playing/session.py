@@ -17,6 +17,7 @@ from skinsource.base.errors import (
     NothingToPlayOnError,
     PlaybackError,
     SkinSourceError,
+    counted,
     quoted,
 )
 from skinsource.base.job import Stop, never, stop_if
@@ -34,7 +35,15 @@ from skinsource.lab.playing.devices import (
     outputs_by_place,
     refresh_devices,
 )
-from skinsource.lab.playing.stream import SHORTEST_LOOP_S, Mix, PlayQueue, Stream, mix_of, tone_of
+from skinsource.lab.playing.stream import (
+    SHORTEST_LOOP_S,
+    Mix,
+    PlayQueue,
+    Stream,
+    mix_of,
+    tone_of,
+    with_trigger,
+)
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
 
@@ -364,14 +373,32 @@ class Session:
     def _mix(
         self, design: Design, output: Output, device: Device, *, loops: bool, rig: Rig | None
     ) -> Mix:
-        _check_rig_device(rig, device)
-        least = min(_FEWEST, device.n_outputs)
-        mix = self._mixer.mix(design, output, loops=loops, least_outputs=least, rig=rig)
-        if not output.stand_in:
-            wired = outputs_by_place(design, output, rig)
-            audible = {place: number for place, number in wired.items() if mix.plays_on(number)}
-            check_outputs(device, audible)
-        return mix
+        return mix_for(self._mixer, device, design, output, loops=loops, rig=rig)
+
+
+def mix_for(
+    mixer: "Mixer",
+    device: Device,
+    played: Design | Stimulus,
+    output: Output,
+    *,
+    loops: bool = False,
+    rig: Rig | None = None,
+) -> Mix:
+    """Return what a device plays; an error where it has too few outputs or is not that of a rig."""
+    _check_rig_device(rig, device)
+    least = min(_FEWEST, device.n_outputs)
+    mix = mixer.mix(played, output, loops=loops, least_outputs=least, rig=rig)
+    if not output.stand_in:
+        wired = outputs_by_place(played, output, rig)
+        audible = {place: number for place, number in wired.items() if mix.plays_on(number)}
+        check_outputs(device, audible)
+    if mix.trigger_output > device.n_outputs:
+        raise PlaybackError(
+            f"{device.name} has {counted(device.n_outputs, 'output')}, and the trigger is on "
+            f"output {output.trigger_output}. Choose another output or device."
+        )
+    return mix
 
 
 def response_end_s(design: Design, duration_s: float) -> float:
@@ -475,34 +502,37 @@ class Mixer:
 
     def mix(
         self,
-        design: Design,
+        played: Design | Stimulus,
         output: Output,
         *,
         loops: bool = False,
         least_outputs: int = 1,
         rig: Rig | None = None,
     ) -> Mix:
-        """Return what ``output`` plays of ``design``, from time 0 on.
+        """Return what ``output`` plays, from time 0 on.
 
         Parameters
         ----------
+        played
+            A design, or the channels of one.
         loops
             Whether the whole design is repeated where it has no loop.
         least_outputs
             Outputs of the mix at least; further ones are silent.
         rig
             What the outputs are wired to: locations, volts, polarity and limits.  The equaliser of
-            the design makes the volts for it; without a rig, for the actuators of the design.
+            a design makes the volts for it; without a rig, for the actuators of the design.
 
         Raises
         ------
         InvalidInputError
             The design cannot be played: an input cannot be sampled, or the design is too long, or
-            its loop too short.
+            its loop too short, or its trigger is on an output that plays.
         DatasetMissingError
             Its limb is a measured one, and no measured dataset is installed.
         """
-        stimulus = self.stimulus(design)
+        design = None if isinstance(played, Stimulus) else played
+        stimulus = played if isinstance(played, Stimulus) else self.stimulus(played)
         rate_hz = output.sample_rate_hz
         own_hz = _whole_hertz(stimulus.sample_rate_hz)
         _check_length(stimulus, rate_hz)
@@ -512,25 +542,29 @@ class Mixer:
             rows = on_two_ears(turned_up(parts, rate_hz, output.shift_hz))
             outputs, titles = list(_EARS), list(_EARS.values())
         else:
-            sent, equaliser = stimulus, equaliser_of(design)
+            sent, equaliser = stimulus, None if design is None else equaliser_of(design)
             if rig is not None:
                 sent = for_rig(stimulus, rig, equaliser)
-            elif equaliser is not None and design.actuation is not None:
+            elif equaliser is not None and design is not None and design.actuation is not None:
                 sent = through_actuators(stimulus, design.actuation, equaliser)
             rows = self.rows.at(sent.samples, own_hz, rate_hz)
-            wired = outputs_by_place(design, output, rig)
+            wired = outputs_by_place(played, output, rig)
             places = [channel.place for channel in stimulus.channels if channel.place is not None]
             outputs = [wired[place] for place in places]
             titles = [f"place {place}" for place in places]
-        loop_s = loop_of(design, stimulus.duration_s, loops=loops)
+        # For ears there is no recorder.
+        triggers = 0 if output.stand_in else output.trigger_output
+        loop_s = None if design is None else loop_of(design, stimulus.duration_s, loops=loops)
         mix = mix_of(
             rows,
             rate_hz,
             outputs=outputs,
             titles=titles,
-            n_outputs=max([1, least_outputs, *outputs]),
+            n_outputs=max([1, least_outputs, triggers, *outputs]),
             loop_s=loop_s,
         )
+        if triggers:
+            mix = with_trigger(mix, triggers, output.trigger_code)
         if rig is None or output.stand_in:
             return mix
         margin = self._margin(rig, places, sent.samples, own_hz, repeated=loop_s is not None)

@@ -7,7 +7,7 @@ Samples are never made smaller, which would change the stimulus: instead playing
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import copysign, floor, inf, log10
 from threading import Event
 from time import perf_counter
@@ -21,6 +21,7 @@ from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, PlaybackError, counted
 from skinsource.lab.playing.devices import Device, refusal_text, sound_library
+from skinsource.lab.playing.triggers import trigger_of
 
 #: Samples for a device.
 Frames = NDArray[np.float32]
@@ -53,6 +54,9 @@ class Mix:
         begins again without a step.
     most_gain, limit
         Highest gain that the rig allows, and the limit that a higher one would pass first.
+    trigger, trigger_output
+        A mix of one output that tells a code from time 0 on, at full scale whatever the gain, and
+        the output, from 1, that plays it; None and 0 without a code.
     """
 
     samples: Frames
@@ -63,6 +67,8 @@ class Mix:
     seam: Frames
     most_gain: float = inf
     limit: str = ""
+    trigger: "Mix | None" = None
+    trigger_output: int = 0
 
     @property
     def n_outputs(self) -> int:
@@ -169,6 +175,24 @@ def mix_of(
         loop=loop,
         seam=_seam_of(samples, loop, sample_rate_hz),
     )
+
+
+def with_trigger(mix: Mix, output: int, code: int) -> Mix:
+    """Return a mix that tells a code on an output, from 1, that plays nothing else.
+
+    Raises
+    ------
+    InvalidInputError
+        The output plays something, or the code is not from 0 to 255.
+    """
+    if mix.plays_on(output):
+        raise InvalidInputError(
+            f"Output {output} plays {mix.names[output - 1]}, so it cannot be the trigger. Choose a "
+            "free output for the trigger."
+        )
+    samples = trigger_of(code, mix.sample_rate_hz)[np.newaxis].astype(np.float32)
+    trigger = replace(mix, samples=samples, seam=samples[:, :0], trigger=None)
+    return replace(mix, trigger=trigger, trigger_output=output)
 
 
 def _loop_of(loop_s: tuple[float, float] | None, rate_hz: int) -> tuple[int, int] | None:
@@ -469,6 +493,14 @@ class DeviceClock:
         return now_s - float(self._behind_s.min())
 
 
+def ahead_of_ours_s(clock: Callable[[], float]) -> float:
+    """Return how far another clock of this machine is ahead of `time.perf_counter`, s."""
+    # What else runs between two looks makes all but the closest pair inexact.
+    looks = [(perf_counter(), clock(), perf_counter()) for _ in range(5)]
+    before_s, other_s, after_s = min(looks, key=lambda look: look[2] - look[0])
+    return other_s - 0.5 * (before_s + after_s)
+
+
 class HeardPosition:
     """Tells which sample is heard now, from the times at which blocks reach the outputs.
 
@@ -533,6 +565,25 @@ class MixChange:
     requested_s: float
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Due:
+    """A mix that is to begin by itself.
+
+    Attributes
+    ----------
+    mix
+        What to play.
+    at_s
+        Time at which its first sample is to be heard, in the clock of the device; None: soon.
+    began
+        Called from the thread of the device with the time at which its first sample is heard.
+    """
+
+    mix: Mix
+    at_s: float | None
+    began: Callable[[float], None]
+
+
 class PlayQueue:
     """The state behind a stream: one thread requests changes, another plays.
 
@@ -547,12 +598,22 @@ class PlayQueue:
         Of the device and of all mixes.
     gain_db
         Gain at the start.
+    rests
+        Called from the thread of the device at the end of each mix; silence follows, until the
+        next mix.  None: playing ends there.
     """
 
-    def __init__(self, n_outputs: int, sample_rate_hz: int, gain_db: float = START_DB) -> None:
-        self.n_outputs, self.sample_rate_hz = n_outputs, sample_rate_hz
+    def __init__(
+        self,
+        n_outputs: int,
+        sample_rate_hz: int,
+        gain_db: float = START_DB,
+        rests: Callable[[], None] | None = None,
+    ) -> None:
+        self.n_outputs, self.sample_rate_hz, self.rests = n_outputs, sample_rate_hz, rests
         # Requests.
         self.swap: MixChange | None = None
+        self.due: Due | None = None
         self.panic = False
         self.gain = Gain(factor_of(gain_db), sample_rate_hz, MOST_SAMPLES)
         # What is played: the mix, and the old one that fades into it.
@@ -571,6 +632,8 @@ class PlayQueue:
         # First position of the last block, and its mix.
         self.began_at = 0
         self.began_in: Mix | None = None
+        # Whether a mix has begun, and the rest after it not yet.
+        self.busy = False
         self.changed_s = self.waited_s = 0.0
         self.meters = Meters(n_outputs, sample_rate_hz)
         self.work, self.other, self.scratch = np.zeros((3, n_outputs, MOST_SAMPLES))
@@ -584,6 +647,19 @@ class PlayQueue:
                 f"{self.n_outputs} at {self.sample_rate_hz} Hz"
             )
         self.swap = MixChange(mix, at, perf_counter())
+
+    def begin_due(self, heard_s: float, n_times: int) -> None:
+        """Begin what is due within the next block, which is heard from ``heard_s`` on."""
+        due, fade = self.due, self.fade.size
+        if due is None or self.mix is not None or self.swap is not None:
+            return
+        # A mix fades in before its first sample.
+        later = fade if due.at_s is None else round((due.at_s - heard_s) * self.sample_rate_hz)
+        if later < n_times + fade:
+            later = max(later, fade)
+            self.due = None
+            self.play(due.mix, fade - later)
+            due.began(heard_s + later / self.sample_rate_hz)
 
     def seek(self, at: int) -> None:
         """Continue at another sample of the mix."""
@@ -619,16 +695,34 @@ class PlayQueue:
         return self.meters.levels()
 
 
+def _beyond_the_rig(mix: Mix, gain: float) -> Ending | None:
+    if gain <= mix.most_gain:
+        return None
+    most_db = 20.0 * log10(mix.most_gain) if mix.most_gain else -inf
+    return Ending(reason="rig", name=mix.limit, highest_db=most_db)
+
+
+def refused(mix: Mix, gain_db: float) -> Ending | None:
+    """Return why a mix would end early at a gain; None where all of it can be played."""
+    gain, highest = factor_of(gain_db), np.abs(mix.samples).max(axis=1, initial=0.0)
+    if gain * mix.peak <= 1.0:
+        return _beyond_the_rig(mix, gain)
+    loudest = int(highest.argmax())
+    return Ending(
+        reason="limit",
+        output=loudest + 1,
+        name=mix.names[loudest],
+        peak=gain * mix.peak,
+        highest_db=-20.0 * log10(mix.peak),
+    )
+
+
 def exceeds_the_rig(queue: PlayQueue) -> bool:
     """Return whether the gain is more than the rig allows; sets the ending if so."""
     mix = queue.mix
-    if mix is None or max(queue.gain.target, queue.gain.now) <= mix.most_gain:
-        return False
-    most_gain = mix.most_gain
-    queue.ending = Ending(
-        reason="rig", name=mix.limit, highest_db=20.0 * log10(most_gain) if most_gain else -inf
-    )
-    return True
+    ending = mix and _beyond_the_rig(mix, max(queue.gain.target, queue.gain.now))
+    queue.ending = ending or queue.ending
+    return ending is not None
 
 
 def playable_samples(queue: PlayQueue, block: Floats) -> int:
@@ -691,10 +785,13 @@ def _fill(queue: PlayQueue, block: Floats, *, first: bool) -> None:
             return
         if first:
             queue.began_at, queue.began_in = queue.position, queue.mix
+        mix, position = queue.mix, queue.position
         _render(queue, block)
         factors = queue.factors[: block.shape[1]]
         queue.gain.fill(factors)
         np.multiply(block, factors, out=block)
+        if mix is not None and mix.trigger is not None:
+            mix.trigger.read(position, block[mix.trigger_output - 1 : mix.trigger_output])
         sound = playable_samples(queue, block)
         if sound < block.shape[1]:
             queue.fallen = 0
@@ -717,6 +814,7 @@ def _begin_mix_change(queue: PlayQueue) -> None:
     queue.old, queue.old_position = queue.mix, queue.position
     queue.mix, queue.faded = swap.mix, 0
     if swap.mix is not None:
+        queue.busy = True
         queue.position = _position_in(swap.mix, swap, queue)
         queue.changed_s = perf_counter()
         queue.waited_s = queue.changed_s - swap.requested_s
@@ -778,10 +876,16 @@ def _fall(queue: PlayQueue, block: Floats) -> None:
 def _end_after_last_sample(queue: PlayQueue) -> None:
     if queue.faded < queue.fade.size or queue.swap is not None:
         return
-    if queue.mix is None:
-        queue.ending = Ending(reason="stopped")
-    elif queue.position >= max(queue.mix.n_times, (queue.mix.loop or _NO_LOOP)[1]):
-        queue.ending = Ending(reason="end")
+    mix = queue.mix
+    if mix is not None:
+        lengths = mix.n_times, 0 if mix.trigger is None else mix.trigger.n_times
+        if queue.position < max(*lengths, (mix.loop or _NO_LOOP)[1]):
+            return
+    if queue.rests is None:
+        queue.ending = Ending(reason="stopped" if mix is None else "end")
+    elif queue.busy:
+        queue.mix, queue.busy = None, False
+        queue.rests()
 
 
 #: Duration of a block that a device requests.
@@ -810,6 +914,10 @@ class Stream:
         How often the device ran out of samples.
     closed
         Whether it was closed, so that ``finished`` need not be handled.
+    answered
+        Set once the device has asked for samples.
+    inside_s
+        Time from the last block until it is heard, s.
 
     Raises
     ------
@@ -823,7 +931,8 @@ class Stream:
         self._library = sound_library()
         self.queue, self.device = queue, device
         self.underruns, self.closed = 0, False
-        self._silent, self._finished = Event(), finished
+        self._silent, self._finished, self.answered = Event(), finished, Event()
+        self.inside_s = 0.0
         self._position, self._clock = HeardPosition(queue.sample_rate_hz), DeviceClock()
         self._called_s = perf_counter()
         self._inside_s = 0.0
@@ -870,6 +979,14 @@ class Stream:
         # Closing a device that was unplugged fails, and that does not matter.
         self._stream.close(ignore_errors=True)
 
+    def ahead_s(self) -> float:
+        """Return how far the clock of the device is ahead of `time.perf_counter`, s."""
+        return self._clock.at(0.0)
+
+    def time_s(self) -> float:
+        """Return the time now, s, in the clock of the device."""
+        return self._clock.at(perf_counter())
+
     @property
     def unresponsive(self) -> bool:
         """Whether the device has not requested a block for two seconds."""
@@ -902,10 +1019,13 @@ class Stream:
         if inside_s <= 0.0:
             # Some systems do not say when a block is heard.
             inside_s = self._stream.latency
-        next_block(queue, out)
+        self.inside_s = inside_s
         heard_s = times.currentTime + inside_s
+        queue.begin_due(heard_s, frames)
+        next_block(queue, out)
         self._position.note(heard_s, queue.began_at, queue.began_in)
         if queue.changed_s != self._changed_s:
             self._changed_s, self._inside_s = queue.changed_s, inside_s
+        self.answered.set()
         if queue.silent:
             raise self._library.CallbackStop

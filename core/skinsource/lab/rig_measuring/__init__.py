@@ -4,6 +4,7 @@ sounddevice is imported only when devices are listed or used.
 """
 
 from skinsource.lab.rig_measuring.duplex import InputDevice, input_devices
+from skinsource.lab.rig_measuring.loopback import Loopback, loopback
 from skinsource.lab.rig_measuring.measurement import (
     ChannelMeasurement,
     MeasuringSetup,
@@ -15,9 +16,11 @@ from skinsource.lab.rig_measuring.measurement import (
 __all__ = [
     "ChannelMeasurement",
     "InputDevice",
+    "Loopback",
     "MeasuringSetup",
     "input_devices",
     "kept",
+    "loopback",
     "measurable",
     "measure",
 ]

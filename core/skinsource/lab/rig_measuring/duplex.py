@@ -154,6 +154,9 @@ class Duplex:
         How many of them are recorded so far.
     n_lost
         How often samples were lost, in either direction, since recording began.
+    shift_s
+        Time of the first recorded sample minus that of the first played one, both as one device
+        tells them; None: it does not.
 
     Raises
     ------
@@ -166,6 +169,7 @@ class Duplex:
         self._deck, self._card = queue, card
         self.recorded: Frames = np.zeros((card.n_inputs, n_samples), np.float32)
         self.n_recorded = self.n_lost = 0
+        self.shift_s: float | None = None
         self._finished, self._started = Event(), False
         self._played_s = self._recorded_s = perf_counter()
         # In the order in which they start.
@@ -297,6 +301,8 @@ class Duplex:
     def _play_and_record(
         self, recorded: Frames, out: Frames, frames: int, times: Any, status: Any
     ) -> None:
+        if not self._started and times.inputBufferAdcTime and times.outputBufferDacTime:
+            self.shift_s = times.inputBufferAdcTime - times.outputBufferDacTime
         self._started = True
         self._record(recorded, frames, times, status)
         self._play(out, frames, times, None)

@@ -538,7 +538,17 @@ def _record(
 def recorded_of(
     mix: Mix, card: Card, level_db: float, stop: Stop, report: Callable[[int], None]
 ) -> Floats:
+    """Return the samples of `recording_of`."""
+    return recording_of(mix, card, level_db, stop, report)[0]
+
+
+def recording_of(
+    mix: Mix, card: Card, level_db: float, stop: Stop, report: Callable[[int], None]
+) -> tuple[Floats, float | None]:
     """Play a mix at a level, and return what its time of all inputs recorded, (n_inputs, n_times).
+
+    Returns the samples, and how much earlier than told they were played they were recorded, s, as
+    `Duplex.shift_s`.
 
     Raises
     ------
@@ -562,7 +572,7 @@ def recorded_of(
             "Close other programs, or choose a longer latency."
         )
     # The queue begins with a fade of silence before the first sample.
-    return duplex.recorded[:, fade:].astype(np.float64)
+    return duplex.recorded[:, fade:].astype(np.float64), duplex.shift_s
 
 
 def _check_clipping(bench: Bench, recorded: Floats, level_db: float) -> None:

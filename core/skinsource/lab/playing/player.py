@@ -1,0 +1,331 @@
+"""A player for experiments: one stimulus, prepared, that begins when it is told to."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from queue import SimpleQueue
+from threading import Event, Thread
+from time import monotonic, perf_counter
+from typing import Literal, Self
+
+from skinsource.actuators.rigs import Rig
+from skinsource.base.arguments import checking, one_of, real_number
+from skinsource.base.errors import PlaybackError
+from skinsource.design.design import Design
+from skinsource.engine.stimulus import Stimulus
+from skinsource.lab.playing.devices import Output, device_of, devices
+from skinsource.lab.playing.session import Mixer, mix_for
+from skinsource.lab.playing.stream import (
+    BLOCK_S,
+    FADE_S,
+    START_DB,
+    Due,
+    Mix,
+    PlayQueue,
+    Stream,
+    ahead_of_ours_s,
+    refused,
+    with_trigger,
+)
+
+# The device answers within this time, or does not at all.
+_ANSWER_S = 5.0
+_LOOK_S = 0.25
+
+
+class Playback:
+    """One time that a stimulus is played; `Player.play` makes it.
+
+    Attributes
+    ----------
+    mix
+        What is played: samples, (n_outputs, n_times), before the gain, and names of outputs.
+    code
+        What the trigger tells.
+    asked_s
+        When its first sample was to be heard, in the clock of the stream; None: soon.
+    latency_s
+        How long before it was heard the device asked for the first sample; None before that.
+    loopback_s
+        Delay behind the time that the device tells, as a loopback measured it; None: not measured.
+    """
+
+    def __init__(
+        self, stream: Stream, mix: Mix, asked_s: float | None, code: int, loopback_s: float | None
+    ) -> None:
+        self.mix, self.code, self.asked_s, self.loopback_s = mix, code, asked_s, loopback_s
+        self.latency_s: float | None = None
+        self._stream, self._ahead_s = stream, 0.0
+        self._first_s: float | None = None
+        self._lost = False
+        self._underruns = stream.underruns
+        self._begun, self._over = Event(), Event()
+
+    @property
+    def first_sample_s(self) -> float | None:
+        """When the device says that the first sample was heard, s of its clock; None: not yet."""
+        return self._first_s
+
+    @property
+    def first_sample_monotonic_s(self) -> float | None:
+        """The same in the clock of `time.monotonic`, s."""
+        return self.first_sample_at(monotonic)
+
+    def first_sample_at(self, clock: Callable[[], float]) -> float | None:
+        """The same in another clock of this machine, s."""
+        first_s = self.first_sample_s
+        return None if first_s is None else first_s - self._ahead_s + ahead_of_ours_s(clock)
+
+    @property
+    def onset_monotonic_s(self) -> float | None:
+        """When sound left the output, s of `time.monotonic`; None: not yet.
+
+        It is estimated from what the device tells, unless a loopback was measured.
+        """
+        return self.onset_at(monotonic)
+
+    def onset_at(self, clock: Callable[[], float]) -> float | None:
+        """The same in another clock of this machine, s."""
+        first_s = self.first_sample_at(clock)
+        return None if first_s is None else first_s + (self.loopback_s or 0.0)
+
+    @property
+    def onset_is(self) -> Literal["estimated", "measured"]:
+        """Whether a loopback was measured."""
+        return "estimated" if self.loopback_s is None else "measured"
+
+    @property
+    def late_s(self) -> float:
+        """How much later than asked the first sample is heard, s; 0 where it is not late."""
+        if self.asked_s is None or self.first_sample_s is None:
+            return 0.0
+        late_s = self.first_sample_s - self.asked_s
+        return late_s if late_s > 1.0 / self._stream.queue.sample_rate_hz else 0.0
+
+    @property
+    def underruns(self) -> int:
+        """How often the device ran out of samples since it was asked for."""
+        return self._stream.underruns - self._underruns
+
+    @property
+    def over(self) -> bool:
+        """Whether it has ended."""
+        return self._over.is_set()
+
+    def wait(self, longest_s: float | None = None) -> bool:
+        """Wait until it has ended; return whether it has.
+
+        Raises
+        ------
+        PlaybackError
+            It ended early, since a limit would have been passed or the device is gone.
+        """
+        until_s = None if longest_s is None else perf_counter() + longest_s
+        while not self._over.wait(_LOOK_S):
+            if self._stream.unresponsive:
+                self._lost = True
+                break
+            if until_s is not None and perf_counter() > until_s:
+                return False
+        ending = self._stream.queue.ending
+        if ending is not None and ending.sentence:
+            raise PlaybackError(ending.sentence)
+        if self._lost:
+            raise PlaybackError(f"{self._stream.device.name} is gone. Connect it, then play again.")
+        return True
+
+    def wait_begin(self, longest_s: float | None = None) -> bool:
+        """Wait until the device has taken its first sample; return whether it has."""
+        return self._begun.wait(longest_s)
+
+    def stop(self) -> None:
+        """Fade out within 5 ms."""
+        if not self.over:
+            self._stream.queue.due = None
+            self._stream.queue.stop()
+
+    def begin(self, first_s: float) -> None:
+        """Note when its first sample is heard."""
+        self._ahead_s = self._stream.ahead_s()
+        self.latency_s = first_s - self._stream.time_s()
+        self._first_s = first_s
+        self._begun.set()
+
+    def end(self, *, lost: bool = False) -> None:
+        """Note that it is over, or that its device is lost."""
+        self._lost = lost
+        self._begun.set()
+        self._over.set()
+
+
+class Player:
+    """Plays one stimulus on a sound card, as often as it is told to.
+
+    All is computed and the device is opened at once, and plays silence between.  Samples are those
+    of an exported file: they are never made smaller; a gain that would pass full scale, or a limit
+    of the rig, is refused.
+
+    Parameters
+    ----------
+    stimulus
+        A design, or channels (`skinsource.stimulus_of`).
+    rig
+        What the outputs are wired to; None: places get outputs in their order.
+    device
+        Name of the device, or an `Output` with rate, latency and wiring; None: that of the system.
+    gain_db
+        From -60 to 20 dB; 0 dB: 1 (1 V with an equaliser, full scale of a rig) is full scale.
+    trigger_output
+        Output, from 1, that tells the code of each time it is played; None: none.
+    loopback_s
+        Delay behind the time that the device tells, measured with a cable from an output to an
+        input (`python play.py --loopback` in an exported PsychoPy folder); None: onsets are called
+        estimated.
+    began
+        Called with each `Playback` once its first sample is on its way, from a thread of its own,
+        such as `skinsource.lab.playing.markers.Markers`.
+
+    Raises
+    ------
+    PlaybackError
+        There is no such device, it refuses, it has too few outputs, or a limit would be passed.
+    InvalidInputError
+        The stimulus cannot be played.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> tone = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone),))
+    >>> try:
+    ...     player = ss.Player(design, device="No such card")
+    ... except ss.SkinSourceError:
+    ...     print("not here")
+    not here
+    """
+
+    @checking
+    def __init__(
+        self,
+        stimulus: Design | Stimulus,
+        rig: Rig | None = None,
+        device: str | Output | None = None,
+        *,
+        gain_db: float = START_DB,
+        trigger_output: int | None = None,
+        loopback_s: float | None = None,
+        began: Callable[[Playback], None] | None = None,
+    ) -> None:
+        output = device if isinstance(device, Output) else Output(device=device or "")
+        output = replace(output, trigger_output=trigger_output or output.trigger_output)
+        #: The device that plays.
+        self.device = device_of(output, devices())
+        #: Delay behind the time that the device tells, s; None: not measured.
+        self.loopback_s = loopback_s
+        #: What is played: names of outputs, samples, duration.
+        self.mix = mix_for(Mixer(), self.device, stimulus, output, rig=rig)
+        refusal = refused(self.mix, gain_db)
+        if refusal is not None:
+            raise PlaybackError(refusal.sentence)
+        self._playback: Playback | None = None
+        self._told: SimpleQueue[Playback | None] = SimpleQueue()
+        self._teller: Thread | None = None
+        self._queue = PlayQueue(self.mix.n_outputs, output.sample_rate_hz, gain_db, self._rest)
+        self._stream = Stream(self._queue, self.device, output.latency_s, self._finish)
+        self._stream.start()
+        if not self._stream.answered.wait(_ANSWER_S):
+            self.close()
+            raise PlaybackError(
+                f"{self.device.name} does not ask for samples. Reconnect it, or choose another."
+            )
+        if began is not None:
+            self._teller = Thread(target=self._tell, args=(began,), daemon=True)
+            self._teller.start()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    @property
+    def time_s(self) -> float:
+        """The time now, s, in the clock of the stream."""
+        return self._stream.time_s()
+
+    @property
+    def soonest_s(self) -> float:
+        """How long before ``at`` `play` must be called, s: what the device holds, and a block."""
+        return self._stream.inside_s + 2 * BLOCK_S + FADE_S
+
+    def play(
+        self,
+        at: float | None = None,
+        *,
+        clock: Literal["stream", "monotonic"] = "stream",
+        code: int = 1,
+    ) -> Playback:
+        """Begin to play, now or at a time, and return at once.
+
+        Parameters
+        ----------
+        at
+            When the first sample is to be heard, s, in the clock of the device (`time_s`) or in
+            that of `time.monotonic`; None: as soon as the device can.  The sample is the nearest
+            one.
+        clock
+            Whose time ``at`` is.
+        code
+            What the trigger tells, 0 to 255.
+
+        Raises
+        ------
+        PlaybackError
+            It still plays, it has ended for good, or ``at`` is too soon or past.
+        """
+        if self._playback is not None and not self._playback.over:
+            raise PlaybackError("The player still plays. Wait for the playback, or stop it first.")
+        if self._stream.closed or self._queue.ending is not None:
+            raise PlaybackError("The player is closed. Make a new one.")
+        one_of("clock", clock, ("stream", "monotonic"))
+        at_s = None if at is None else real_number("at", at)
+        if at_s is not None and clock == "monotonic":
+            at_s += self._stream.ahead_s() - ahead_of_ours_s(monotonic)
+        if at_s is not None and at_s < self.time_s + self.soonest_s:
+            raise PlaybackError(
+                f"The device was asked to play in {(at_s - self.time_s) * 1e3:.1f} ms and needs "
+                f"{self.soonest_s * 1e3:.1f} ms. Ask earlier."
+            )
+        mix = self.mix
+        if mix.trigger_output:
+            mix = with_trigger(mix, mix.trigger_output, code)
+        playback = Playback(self._stream, mix, at_s, code, self.loopback_s)
+        self._playback = playback
+        self._queue.due = Due(mix, at_s, self._begin)
+        return playback
+
+    def close(self) -> None:
+        """Fall silent and close the device."""
+        self._stream.close()
+        self._told.put(None)
+        if self._teller is not None:
+            self._teller.join()
+
+    def _begin(self, first_s: float) -> None:
+        """Note in the thread of the device that a playback begins."""
+        playback = self._playback
+        if playback is not None:
+            playback.begin(first_s)
+            self._told.put(playback)
+
+    def _rest(self) -> None:
+        if self._playback is not None:
+            self._playback.end()
+
+    def _finish(self) -> None:
+        if self._playback is not None and not self._playback.over:
+            lost = self._queue.ending is None and not self._stream.closed
+            self._playback.end(lost=lost)
+
+    def _tell(self, began: Callable[[Playback], None]) -> None:
+        while (playback := self._told.get()) is not None:
+            began(playback)

@@ -1,0 +1,132 @@
+"""A loopback: clicks from an output into an input, through a cable, tell delay and jitter."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from skinsource.base.arguments import checking, integer
+from skinsource.base.conventions import Floats, Indices
+from skinsource.base.errors import PlaybackError
+from skinsource.base.job import Stop, never
+from skinsource.lab.playing.devices import Output, check_outputs, device_of, devices
+from skinsource.lab.playing.stream import mix_of
+from skinsource.lab.rig_measuring.duplex import Card, check_inputs, input_device_of, input_devices
+from skinsource.lab.rig_measuring.measurement import recording_of
+
+_CLICK_S, _BETWEEN_S, _AMPLITUDE = 0.001, 0.2, 0.5
+# A click is higher than anything else in the recording, and than this share of full scale.
+_SEEN, _LEAST = 0.5, 1e-3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Loopback:
+    """What a loopback measured.
+
+    Attributes
+    ----------
+    round_trips_s : (n_clicks,)
+        From a sample that is sent to the one that is received, s; NaN where no click was seen.
+    behind_s
+        How much later than the device tells sound leaves the output, s: what `Player` calls
+        ``loopback_s``; it holds the delay of the input that the device does not tell.  None: the
+        device tells no times.
+    """
+
+    round_trips_s: Floats
+    behind_s: float | None
+
+    @property
+    def n_seen(self) -> int:
+        """How many clicks were seen."""
+        return int(np.count_nonzero(np.isfinite(self.round_trips_s)))
+
+    @property
+    def round_trip_s(self) -> float:
+        """Median of the round trips, s."""
+        return float(np.nanmedian(self.round_trips_s))
+
+    @property
+    def jitter_s(self) -> float:
+        """Standard deviation of the round trips, s."""
+        return float(np.nanstd(self.round_trips_s))
+
+
+@checking
+def loopback(
+    output: int,
+    source: int,
+    device: str | Output | None = None,
+    *,
+    repeats: int = 20,
+    stop: Stop = never,
+) -> Loopback:
+    """Play clicks on an output, record an input that it is wired to, and tell the delay.
+
+    Parameters
+    ----------
+    output, source
+        Output and input of the device, from 1, with a cable between them.
+    device
+        Name of the device, or an `Output`; None: that of the system.
+    repeats
+        Number of clicks, five a second.
+    stop
+        Asked whether to give up.
+
+    Raises
+    ------
+    PlaybackError
+        There is no such device, output or input, or nothing was heard.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> try:
+    ...     print(ss.rig_measuring.loopback(1, 1, device="No such card").round_trip_s)
+    ... except ss.SkinSourceError:
+    ...     print("not here")
+    not here
+    """
+    asked = device if isinstance(device, Output) else Output(device=device or "")
+    number, rate_hz = integer("repeats", repeats, 1, 1000), asked.sample_rate_hz
+    played_on = device_of(asked, devices())
+    inputs = input_device_of(played_on.name, played_on, input_devices())
+    check_outputs(played_on, {0: integer("output", output, 1, 1024)})
+    check_inputs(inputs, integer("source", source, 1, 1024))
+    card = Card(device=played_on, inputs=inputs, n_inputs=source, latency_s=asked.latency_s)
+    step = round(_BETWEEN_S * rate_hz)
+    row = np.zeros((number + 2) * step)
+    clicks: Indices = step * np.arange(1, number + 1)
+    for at in clicks:
+        row[at : at + round(_CLICK_S * rate_hz)] = _AMPLITUDE
+    mix = mix_of(row[np.newaxis], rate_hz, outputs=[output], titles=["clicks"], n_outputs=output)
+    recording, shift_s = recording_of(mix, card, 0.0, stop, lambda _: None)
+    round_trips_s = lags(recording[source - 1], clicks) / rate_hz
+    if not np.isfinite(round_trips_s).any():
+        raise PlaybackError(
+            f"Input {source} of {inputs.name} heard nothing of output {output}. Check the cable."
+        )
+    behind_s = None if shift_s is None else float(np.nanmedian(round_trips_s)) + shift_s
+    return Loopback(round_trips_s=round_trips_s, behind_s=behind_s)
+
+
+def lags(recorded: Floats, clicks: Indices) -> Floats:
+    """Return how many samples after each click it is seen, (n_clicks,); NaN where it is not.
+
+    Parameters
+    ----------
+    recorded : (n_times,)
+        What was recorded, from the first played sample on.
+    clicks : (n_clicks,)
+        Samples at which clicks were played.
+    """
+    size = np.abs(recorded - np.median(recorded))
+    least = max(_SEEN * float(size.max(initial=0.0)), _LEAST)
+    found = np.full(len(clicks), np.nan)
+    for number, part in enumerate(np.split(size, clicks)[1:]):
+        seen = np.flatnonzero(part >= least)
+        if seen.size:
+            found[number] = seen[0]
+    return found
