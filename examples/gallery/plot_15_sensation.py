@@ -14,7 +14,7 @@ import skinsource as ss
 figure, (left, right) = plt.subplots(1, 2, figsize=(9, 5), layout="constrained")
 frequency_hz = np.geomspace(25.0, 600.0, 200)
 left.loglog(frequency_hz, ss.perception.threshold_rms(frequency_hz))
-left.set(xlabel="frequency (Hz)", ylabel="threshold on a fingertip (m/s² RMS)")
+left.set(xlabel="frequency (Hz)", ylabel="threshold on the palm (m/s² RMS)")
 
 tone = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.3)
 design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone, amplitude=10.0),))

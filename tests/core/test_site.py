@@ -5,6 +5,7 @@ import io
 import re
 import runpy
 import shlex
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -14,15 +15,30 @@ from skinsource.cli.command_line import main
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
-FENCED = re.compile(r"^```(\S*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+#: Also within lists.
+FENCED = re.compile(r"^ *```(\S*)\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
+#: Its own test gives it a sound card: tests/core/playing/test_playing_page.py.
+NEEDS_A_CARD = "playing"
+CODE = re.compile(r"^ *```(?:python|sh|toml)\n", re.MULTILINE)
 WITH_CODE = [
-    page for page in PAGES if re.search("^```(python|sh|toml)", page.read_text("utf-8"), re.M)
+    page for page in PAGES if page.stem != NEEDS_A_CARD and CODE.search(page.read_text("utf-8"))
 ]
 EXAMPLES = sorted((ROOT / "examples" / "gallery").glob("plot_*.py"))
 #: Drawings of the graph, and parts of the site.
 NOT_CODE = "mermaid", "{toctree}", "{include}"
 #: What begins a command that changes the machine: packages/CI try them.
-INSTALLING = "make ", "py ", ".venv", "pip ", "pipx ", "uv ", "sudo ", "skinsource-gui"
+INSTALLING = "make ", "py ", ".venv", "pip ", "pipx ", "uv ", "sudo ", "dask ", "skinsource-gui"
+
+
+@contextlib.contextmanager
+def cluster_for(arguments: list[str]) -> Iterator[list[str]]:
+    """Give the arguments, and where they name a scheduler, one on this computer in its place."""
+    if "--scheduler" not in arguments:
+        yield arguments
+        return
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as own:
+        yield [*arguments[: arguments.index("--scheduler") + 1], own.scheduler_address]
 
 
 def run(language: str, code: str, values: dict) -> str:
@@ -35,11 +51,12 @@ def run(language: str, code: str, values: dict) -> str:
             name = code.splitlines()[0].removeprefix("# ")
             Path(name).write_text(code, "utf-8")
         else:
-            for line in code.replace("\\\n", " ").splitlines():
-                if not line.startswith(INSTALLING):
-                    program, *arguments = shlex.split(line, comments=True)
-                    assert program == "skinsource"
-                    assert main(arguments) == 0
+            lines = map(str.strip, code.replace("\\\n", " ").splitlines())
+            for line in (each for each in lines if not each.startswith(INSTALLING)):
+                program, *arguments = shlex.split(line, comments=True)
+                assert program == "skinsource"
+                with cluster_for(arguments) as of_this_computer:
+                    assert main(of_this_computer) == 0
     return printed.getvalue()
 
 
