@@ -12,5 +12,6 @@ from .placement import PlacementPage as PlacementPage
 from .rig.page import RigPage as RigPage
 from .rig.page import setup_of as setup_of
 from .rig.page import setup_text as setup_text
+from .rig.wiring_page import WiringPage as WiringPage
 from .scenes import ScenesPage as ScenesPage
 from .show import ShowPage as ShowPage

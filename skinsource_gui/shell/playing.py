@@ -30,7 +30,6 @@ from skinsource_gui.state.playing import (
     PlaybackPace,
     Played,
     Player,
-    SoundSettings,
     end_sound,
     played_by,
     sound_worker,
@@ -101,16 +100,18 @@ class RigPages(QObject):
     #: A message on what was opened.
     opened = Signal(str)
 
-    def __init__(
-        self, document: Document, settings: SoundSettings, window: QtWidgets.QWidget
-    ) -> None:
+    def __init__(self, document: Document, player: Player, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
-        self._document, self._settings, self._window = document, settings, window
+        self._document, self._player, self._window = document, player, window
         self._thread = sound_worker(self)
 
     def show(self) -> None:
         """Open the page."""
-        pages.RigPage(self._document, self._settings, self._window).open()
+        pages.RigPage(self._document, self._player.settings, self._window).open()
+
+    def check_wiring(self) -> None:
+        """Open the page that checks the wiring."""
+        pages.WiringPage(self._document, self._player, self._window).open()
 
     def open_response(self) -> None:
         """Ask for a measured response, and choose it as the actuator of the design."""
@@ -249,7 +250,7 @@ class Playback(QObject):
         self.pace = PlaybackPace(document, self.player, self)
         self.bar, self.button = Transport(window), OutputButton()
         self.matching = MatchingActions(document, preferences, self.player, window)
-        self.rigs = RigPages(document, self.player.settings, window)
+        self.rigs = RigPages(document, self.player, window)
         self._panel: OutputPanel | None = None
         self._timer = QTimer(self, interval=_STEP_MS)
         self._timer.timeout.connect(self._show)

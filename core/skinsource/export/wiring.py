@@ -87,12 +87,17 @@ def wiring_page(
         drives = in_order(drives, options.channel_map)
     wired, actuators = wiring_of(design, rig, actuation)
     with plot.style():
-        figure = plot.new_figure(*_PAGE_MM)
-        title = f"Wiring of {design.title}" if design.title else "Wiring"
-        title = fill(title, _TITLE_LETTERS)
-        figure.text(0.08, 0.98, title, fontsize=12, va="top", parse_math=False)
+        figure = new_page(f"Wiring of {design.title}" if design.title else "Wiring")
         _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), drives.channels, wired, actuators)
         _draw_hand(figure.add_axes((0.08, 0.46, 0.84, 0.46)), drives.channels, design.limb)
+    return figure
+
+
+def new_page(title: str) -> Any:
+    """Return the figure of an upright page that begins with a title."""
+    figure = plot.new_figure(*_PAGE_MM)
+    title = fill(title, _TITLE_LETTERS)
+    figure.text(0.08, 0.98, title, fontsize=12, va="top", parse_math=False)
     return figure
 
 

@@ -28,6 +28,15 @@ def test_delay_and_jitter_of_a_cable_are_those_of_the_card(cable):
     assert found.behind_s == pytest.approx(found.round_trip_s - told_s)
 
 
+def test_a_reference_tells_how_much_later_another_output_is(monkeypatch):
+    # The card answers to output 2 alone; output 1 plays the same clicks.
+    late, prompt = np.zeros(8192), np.zeros(8192)
+    late[DELAY], prompt[0] = 0.6, 0.6
+    bench_top.use(monkeypatch, bench_top.Card(late, prompt, output=2))
+    found = ss.rig_measuring.loopback(2, 1, reference=(1, 2), repeats=3)
+    np.testing.assert_allclose(found.later_s, DELAY / RATE_HZ)
+
+
 def test_a_missing_cable_is_one_sentence(cable):
     cable.noise = 0.0
     with pytest.raises(PlaybackError, match=r"Input 2 .* heard nothing of output 1"):

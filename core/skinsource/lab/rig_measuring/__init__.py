@@ -12,15 +12,19 @@ from skinsource.lab.rig_measuring.measurement import (
     measurable,
     measure,
 )
+from skinsource.lab.rig_measuring.wiring import WiringCheck, save_wiring_check, wiring_check
 
 __all__ = [
     "ChannelMeasurement",
     "InputDevice",
     "Loopback",
     "MeasuringSetup",
+    "WiringCheck",
     "input_devices",
     "kept",
     "loopback",
     "measurable",
     "measure",
+    "save_wiring_check",
+    "wiring_check",
 ]

@@ -32,10 +32,14 @@ class Loopback:
         How much later than the device tells sound leaves the output, s: what `Player` calls
         ``loopback_s``; it holds the delay of the input that the device does not tell.  None: the
         device tells no times.
+    later_s
+        How much later than the reference its clicks come back, s, (n_clicks,); None: there is no
+        reference.
     """
 
     round_trips_s: Floats
     behind_s: float | None
+    later_s: Floats | None = None
 
     @property
     def n_seen(self) -> int:
@@ -59,6 +63,7 @@ def loopback(
     source: int,
     device: str | Output | None = None,
     *,
+    reference: tuple[int, int] | None = None,
     repeats: int = 20,
     stop: Stop = never,
 ) -> Loopback:
@@ -70,6 +75,9 @@ def loopback(
         Output and input of the device, from 1, with a cable between them.
     device
         Name of the device, or an `Output`; None: that of the system.
+    reference
+        Another output and input with a cable of their own, which play and record the same clicks:
+        two channels are compared without what differs from one start of the device to the next.
     repeats
         Number of clicks, five a second.
     stop
@@ -93,23 +101,37 @@ def loopback(
     number, rate_hz = integer("repeats", repeats, 1, 1000), asked.sample_rate_hz
     played_on = device_of(asked, devices())
     inputs = input_device_of(played_on.name, played_on, input_devices())
-    check_outputs(played_on, {0: integer("output", output, 1, 1024)})
-    check_inputs(inputs, integer("source", source, 1, 1024))
-    card = Card(device=played_on, inputs=inputs, n_inputs=source, latency_s=asked.latency_s)
+    cables = [(output, source), *([] if reference is None else [reference])]
+    for played, recorded in cables:
+        check_outputs(played_on, {0: integer("output", played, 1, 1024)})
+        check_inputs(inputs, integer("source", recorded, 1, 1024))
+    n_inputs = max(recorded for _, recorded in cables)
+    card = Card(device=played_on, inputs=inputs, n_inputs=n_inputs, latency_s=asked.latency_s)
     step = round(_BETWEEN_S * rate_hz)
     row = np.zeros((number + 2) * step)
     clicks: Indices = step * np.arange(1, number + 1)
     for at in clicks:
         row[at : at + round(_CLICK_S * rate_hz)] = _AMPLITUDE
-    mix = mix_of(row[np.newaxis], rate_hz, outputs=[output], titles=["clicks"], n_outputs=output)
+    outputs = list(dict.fromkeys(played for played, _ in cables))
+    mix = mix_of(
+        np.tile(row, (len(outputs), 1)),
+        rate_hz,
+        outputs=outputs,
+        titles=["clicks"] * len(outputs),
+        n_outputs=max(outputs),
+    )
     recording, shift_s = recording_of(mix, card, 0.0, stop, lambda _: None)
-    round_trips_s = lags(recording[source - 1], clicks) / rate_hz
-    if not np.isfinite(round_trips_s).any():
-        raise PlaybackError(
-            f"Input {source} of {inputs.name} heard nothing of output {output}. Check the cable."
-        )
-    behind_s = None if shift_s is None else float(np.nanmedian(round_trips_s)) + shift_s
-    return Loopback(round_trips_s=round_trips_s, behind_s=behind_s)
+    found = []
+    for played, recorded in cables:
+        found.append(lags(recording[recorded - 1], clicks) / rate_hz)
+        if not np.isfinite(found[-1]).any():
+            raise PlaybackError(
+                f"Input {recorded} of {inputs.name} heard nothing of output {played}. Check the "
+                "cable."
+            )
+    behind_s = None if shift_s is None else float(np.nanmedian(found[0])) + shift_s
+    later_s = None if reference is None else found[0] - found[1]
+    return Loopback(round_trips_s=found[0], behind_s=behind_s, later_s=later_s)
 
 
 def lags(recorded: Floats, clicks: Indices) -> Floats:

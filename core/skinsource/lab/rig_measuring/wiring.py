@@ -1,0 +1,233 @@
+"""The check of the wiring: what each output of a rig really does, beside what the rig says."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from skinsource.actuators.rigs import Rig, RigChannel
+from skinsource.base.arguments import checking
+from skinsource.base.errors import InvalidInputError, printable
+from skinsource.base.files import FilePath, write_bytes
+from skinsource.export import plot
+from skinsource.export.wiring import draw_table, new_page
+from skinsource.lab.rig_measuring.loopback import Loopback
+from skinsource.lab.rig_measuring.measurement import ChannelMeasurement
+
+#: Channels that differ by more do not focus as predicted: 1 ms costs 10 dB at 400 Hz.
+LARGEST_DELAY_S = 1e-4
+#: Where gains are told.
+GAIN_AT_HZ = 100.0
+_COLUMNS = ("Output", "Place", "Felt at", "Polarity", "Gain at 100 Hz", "Delay", "Jitter")
+_OPEN = "not checked"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ChannelCheck:
+    """What was found of a channel; None: not checked.
+
+    Attributes
+    ----------
+    place, output
+        Input place and output of the device, from 1, as the rig has them.
+    felt_at
+        Input place at which its buzz was felt.
+    inverted
+        Whether the skin moves against what the polarity of the rig says.
+    gain
+        Acceleration per volt at the actuator at 100 Hz, m/s² per V.
+    delay_s
+        How much later than the reference channel its output is, s; without a reference its round
+        trip through device and cable.
+    against
+        Output of the reference channel; None: none.
+    jitter_s
+        Standard deviation of the delay, s.
+    """
+
+    place: int
+    output: int
+    felt_at: int | None = None
+    inverted: bool | None = None
+    gain: float | None = None
+    delay_s: float | None = None
+    against: int | None = None
+    jitter_s: float | None = None
+
+    @property
+    def cells(self) -> tuple[str, ...]:
+        """The row of the printed table."""
+        polarity = {None: _OPEN, False: "as the rig says", True: "opposite"}[self.inverted]
+        against = "" if self.against is None else f" after output {self.against}"
+        return (
+            f"{self.output}",
+            f"{self.place}",
+            _OPEN if self.felt_at is None else f"{self.felt_at}",
+            polarity,
+            _OPEN if self.gain is None else f"{self.gain:.3g} m/s² per V",
+            _OPEN if self.delay_s is None else f"{self.delay_s * 1e3:.3f} ms{against}",
+            _OPEN if self.jitter_s is None else f"{self.jitter_s * 1e3:.3f} ms",
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WiringCheck:
+    """What was found of all channels of a rig.
+
+    `wiring_check` begins one; methods return what is known after another step.
+
+    Attributes
+    ----------
+    title
+        That of the rig.
+    channels
+        In the order of the rig.
+    checked_on
+        Date, ``"2026-11-29"``.
+    """
+
+    title: str
+    channels: tuple[ChannelCheck, ...]
+    checked_on: str
+
+    def felt(self, output: int, place: int) -> WiringCheck:
+        """Return it with the place at which the buzz of an output was felt."""
+        return self._with(output, felt_at=place)
+
+    def measured(self, output: int, measurement: ChannelMeasurement) -> WiringCheck:
+        """Return it with polarity and gain as an accelerometer tells them."""
+        gain = float(np.abs(measurement.response.response(np.array([GAIN_AT_HZ])))[0])
+        return self._with(output, inverted=measurement.inverted, gain=gain)
+
+    def looped(self, output: int, found: Loopback, against: int | None = None) -> WiringCheck:
+        """Return it with delay and jitter of an output; ``against``: output of the reference."""
+        delays_s = found.round_trips_s if found.later_s is None else found.later_s
+        return self._with(
+            output,
+            delay_s=float(np.nanmedian(delays_s)),
+            jitter_s=float(np.nanstd(delays_s)),
+            against=against,
+        )
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """What is not as the rig says, and which channels are not within 0.1 ms of each other."""
+        said = []
+        for channel in self.channels:
+            if channel.felt_at not in (None, channel.place):
+                said.append(
+                    f"Output {channel.output} moves place {channel.felt_at}, and the rig says "
+                    f"place {channel.place}."
+                )
+            if channel.inverted:
+                said.append(
+                    f"Output {channel.output} (place {channel.place}) moves against its polarity."
+                )
+        delays = {each.output: each.delay_s for each in self.channels if each.delay_s is not None}
+        middle_s = float(np.median(list(delays.values()))) if delays else 0.0
+        for output, delay_s in delays.items():
+            if abs(delay_s - middle_s) > LARGEST_DELAY_S:
+                said.append(
+                    f"Output {output} is {abs(delay_s - middle_s) * 1e3:.2f} ms "
+                    f"{'later' if delay_s > middle_s else 'earlier'} than the others: focusing "
+                    "needs 0.1 ms."
+                )
+        return tuple(said)
+
+    def corrected(self, rig: Rig) -> Rig:
+        """Return a rig whose places and polarities are those that were found.
+
+        Raises
+        ------
+        InvalidInputError
+            Two outputs would have one place.
+        """
+        found = {channel.output: channel for channel in self.channels}
+        return replace(rig, channels=tuple(_corrected(each, found) for each in rig.channels))
+
+    def _with(self, output: int, **changes: object) -> WiringCheck:
+        if output not in {channel.output for channel in self.channels}:
+            raise InvalidInputError(f"output is {output}, expected one that the rig wires")
+        channels = (
+            replace(each, **changes) if each.output == output else each  # type: ignore[arg-type]
+            for each in self.channels
+        )
+        return replace(self, channels=tuple(channels))
+
+
+def _corrected(channel: RigChannel, found: Mapping[int, ChannelCheck]) -> RigChannel:
+    check = found.get(channel.output)
+    if check is None:
+        return channel
+    if check.inverted:
+        channel = replace(
+            channel, polarity="normal" if channel.polarity == "inverted" else "inverted"
+        )
+    return channel if check.felt_at is None else replace(channel, place=check.felt_at)
+
+
+@checking
+def wiring_check(rig: Rig) -> WiringCheck:
+    """Return the check of a rig, of which nothing is known yet.
+
+    Raises
+    ------
+    InvalidInputError
+        The rig has no channel.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> channels = [ss.rigs.RigChannel(place=7, output=1), ss.rigs.RigChannel(place=8, output=2)]
+    >>> check = ss.rig_measuring.wiring_check(ss.rigs.Rig(channels=channels))
+    >>> print(check.felt(1, 8).felt(2, 7).sentences[0])
+    Output 1 moves place 8, and the rig says place 7.
+    """
+    if not rig.channels:
+        raise InvalidInputError("The rig has no channel. Add channels to it first.")
+    channels = (ChannelCheck(place=each.place, output=each.output) for each in rig.channels)
+    today = datetime.now(UTC).date().isoformat()
+    return WiringCheck(title=rig.title, channels=tuple(channels), checked_on=today)
+
+
+@checking
+def save_wiring_check(check: WiringCheck, path: FilePath) -> None:
+    """Write a check: ``.json`` for programs, ``.pdf``, ``.svg`` or ``.png`` for the wall.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> rig = ss.rigs.Rig(channels=[ss.rigs.RigChannel(place=7, output=1)])
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     check = ss.rig_measuring.wiring_check(rig)
+    ...     ss.rig_measuring.save_wiring_check(check, Path(folder) / "wiring.json")
+    ...     print([path.name for path in Path(folder).iterdir()])
+    ['wiring.json']
+    """
+    kind = Path(path).suffix.lower()[1:]
+    if kind == "json":
+        content = {**asdict(check), "sentences": check.sentences}
+        text = json.dumps(content, ensure_ascii=False, indent=2)
+        write_bytes(Path(path), f"{text}\n".encode())
+        return
+    if kind not in plot.METADATA:
+        raise InvalidInputError(
+            f"{printable(Path(path).name)} is not the name of a page. Call it *.pdf, *.svg, *.png "
+            "or *.json."
+        )
+    title = f"Wiring of {check.title}" if check.title else "Wiring"
+    with plot.style():
+        figure = new_page(f"{title}, checked on {check.checked_on}")
+        rows = [channel.cells for channel in check.channels]
+        draw_table(figure.add_axes((0.08, 0.24, 0.84, 0.68)), _COLUMNS, rows)
+        said = check.sentences or ("All that was checked is as the rig says.",)
+        figure.text(0.08, 0.2, "\n".join(said), fontsize=8, va="top", parse_math=False)
+        content_bytes = plot.figure_content(figure, kind)
+    write_bytes(Path(path), content_bytes)

@@ -1,0 +1,114 @@
+"""Play > Check wiring…: outputs buzz, are named, timed by a cable, and put right in the rig."""
+
+import numpy as np
+import pytest
+from shiboken6 import isValid
+
+import skinsource as ss
+from skinsource.actuators.rigs import Rig, RigChannel, open_rig, save_rig
+from skinsource.lab.playing.devices import Output
+from skinsource_gui.pages.rig.wiring_page import WiringPage
+from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
+from tests.core.rig_measuring.bench_top import Duplex
+
+WAIT = {"timeout": 30_000}
+
+
+class Card(SyntheticSoundLibrary):
+    """Output 1 of it is wired to input 1."""
+
+    paths, output, noise, offset = (np.eye(1, 8192)[0],), 1, 0.0, 0.0
+    pulled_after, loses_at = 100_000, -1
+
+    @property
+    def rows(self):
+        return tuple((name, 0, n, 2, 48_000.0) for name, n in self.outputs.items())
+
+    def Stream(self, **asked):  # as sounddevice calls it
+        return self.open(Duplex(self, asked))
+
+
+@pytest.fixture
+def sound(monkeypatch):
+    modules = "playing.devices", "playing.stream", "rig_measuring.duplex"
+    return use(monkeypatch, Card(Two=2), modules)
+
+
+@pytest.fixture
+def rig_path(tmp_path):
+    path = tmp_path / "bench.skinrig"
+    channels = tuple(RigChannel(place=6 + output, output=output) for output in (1, 2))
+    save_rig(path, Rig(title="Bench", channels=channels))
+    return path
+
+
+@pytest.fixture
+def page(sound, open_window, rig_path, qtbot):
+    window = open_window(ss.Design(limb="synthetic-1", inputs=(ss.track(7),)))
+    settings = window.playback.player.settings
+    settings.choose_rig(rig_path)
+    window.do("check_wiring")
+    page = window.findChild(WiringPage)
+    qtbot.waitUntil(lambda: settings.searched, **WAIT)
+    yield page
+    if isValid(page):
+        page.reject()
+    settings.choose_rig(None)
+    settings.choose(Output())
+
+
+def cells(page, row):
+    return [page.table.item(row, column).text() for column in range(page.table.columnCount())]
+
+
+def test_an_armed_output_buzzes_and_nothing_else_does(page, sound, qtbot):
+    assert not page.buzz.isEnabled()
+    page.arm.click()
+    page.table.selectRow(1)
+    page.buzz.click()
+    qtbot.waitUntil(lambda: any(stream.samples.any() for stream in sound.streams), **WAIT)
+    assert "Output 2 buzzes" in page.message.text()
+    page.stop.click()
+    qtbot.waitUntil(lambda: not any(stream.active for stream in sound.streams), **WAIT)
+    first, second = sound.streams[-1].samples
+    assert not first.any()
+    assert second.any()
+
+
+def test_swapped_places_are_noted_row_after_row_and_put_right_in_the_rig(page, rig_path):
+    for place in (8, 7):
+        page.place.choose(f"{place}")
+        page.felt.click()
+    assert cells(page, 0)[:3] == ["1", "7", "8"]
+    assert "Output 1 moves place 8, and the rig says place 7." in page.message.text()
+    page.correct.click()
+    assert [each.place for each in open_rig(rig_path).channels] == [8, 7]
+    assert "Check it once more" in page.message.text()
+    assert cells(page, 0)[:3] == ["1", "8", "not checked"]
+
+
+def test_a_cable_tells_delay_and_jitter_of_its_output(page, qtbot):
+    page.arm.click()
+    page.loop.click()
+    qtbot.waitUntil(lambda: "ms" in cells(page, 0)[5], **WAIT)
+    assert cells(page, 0)[5:] == ["10.000 ms", "0.000 ms"]
+    # No cable leads from the second output.
+    page.table.selectRow(1)
+    page.loop.click()
+    qtbot.waitUntil(lambda: "Check the cable" in page.message.text(), **WAIT)
+
+
+def test_the_check_is_saved_as_a_page(page, answers, tmp_path):
+    answers["save"] = str(tmp_path / "wiring.svg")
+    page.save.click()
+    assert "not checked" in (tmp_path / "wiring.svg").read_text()
+
+
+def test_without_a_rig_it_says_where_to_choose_one(sound, open_window, qtbot):
+    window = open_window(ss.Design(limb="synthetic-1"))
+    window.playback.player.settings.choose_rig(None)
+    window.do("check_wiring")
+    page = window.findChild(WiringPage)
+    assert "No rig is chosen" in page.message.text()
+    assert not page.felt.isEnabled()
+    page.reject()
