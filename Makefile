@@ -30,7 +30,9 @@ tests:
 	QT_QPA_PLATFORM=offscreen $(BIN)/python -m pytest $(AT_ONCE) $(PYTEST_OPTIONS)
 
 docs: .venv/ready-for-docs  ## the site in build/docs, which Help opens; warnings are errors
+	rm -rf build/docs
 	$(BIN)/python -m sphinx -b html -d build/doctrees -W --keep-going -q docs build/docs
+	find build/docs -name '*.map' -delete
 
 fix: .venv/ready-to-test  ## let ruff mend what it can
 	$(BIN)/ruff check --fix .

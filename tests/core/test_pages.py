@@ -27,7 +27,9 @@ def links_of(page: Path) -> list[Path]:
 def shown_beside(page: Path) -> list[Path]:
     """Pages that a list of the site names, by themselves or by a pattern."""
     lists = re.findall(r"```{toctree}\n(?::.*\n)*\n((?:.*\n)*?)```", text_of(page))
-    return [path for names in lists for n in names.split() for path in page.parent.glob(f"{n}.md")]
+    # Some with another title before: Title <name>.
+    names = [re.sub(r".*<(.*)>", r"\1", line) for text in lists for line in text.splitlines()]
+    return [path for name in names if name for path in page.parent.glob(f"{name}.md")]
 
 
 def anchors_of(page: Path) -> set[str]:
