@@ -1,5 +1,6 @@
 """What the site needs beside its extensions: formulas without a script, pictures of examples."""
 
+import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -16,8 +17,15 @@ def setup(app: Sphinx) -> dict[str, bool]:
     """Register formulas as MathML, which browsers draw themselves, without a network."""
     # Drawings of the graph, which this site shows as text.
     app.add_lexer("mermaid", TextLexer)
+    app.connect("autodoc-process-docstring", _keep_bars)
     app.add_html_math_renderer("mathml", (_draw_inline, None), (_draw_block, None))
     return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def _keep_bars(*about: Any) -> None:
+    """Let |H| in a docstring mean a magnitude, where Sphinx takes it for a name of a text."""
+    lines = about[-1]
+    lines[:] = [re.sub(r"(?<![\\`])\|(?=\S)", r"\|", line) for line in lines]
 
 
 def _draw_inline(writer: Any, node: nodes.math) -> None:

@@ -115,9 +115,9 @@ class Triangle(fields.CheckedModel):
 
     Its Fourier series, the sum over odd h of (8 / pi² h²) (-1)^((h - 1) / 2) sin(2 pi h u) at
     the turn u = frequency t + phase / 2 pi, up to half the sample rate; without that limit it is
-    1 - 4 abs(u - 1/4) for -1/4 < u < 3/4.  The full series has peak 1; with fewer harmonics it
-    stays below.  Its harmonics are the same at every rate.  The burst is cut out of the wave with
-    hard ends, or by the window.
+    1 - 4 |u - 1/4| for -1/4 < u < 3/4.  The full series has peak 1; with fewer harmonics it stays
+    below.  Its harmonics are the same at every rate.  The burst is cut out of the wave with hard
+    ends, or by the window.
 
     Attributes
     ----------

@@ -55,7 +55,7 @@ WIDTH = NumberSpec(
 class CentredTap(fields.CheckedModel):
     """A tap whose mean is 0: as an acceleration it leaves neither velocity nor displacement.
 
-    (cos(2 pi t / T) + cos(4 pi t / T)) / 2 for abs(t) <= T / 2: a crest of 1 and of a third of the
+    (cos(2 pi t / T) + cos(4 pi t / T)) / 2 for |t| <= T / 2: a crest of 1 and of a third of the
     width, between two troughs of -0.56, with a level start and end.  It has n = round(T rate)
     samples, about their middle: t = (k - (n - 1) / 2) / rate.  The upstream tap (`Tap`) has half
     of its energy below 25 Hz, where nothing was measured, and leaves a velocity.

@@ -122,9 +122,9 @@ class WaveletTrain:
     x(t) is the sum over j of A_j w(t - c_j, f_j), with c_j = (j + 1/2) slot, j from 0, and w of
     one family:
 
-    - ``"gabor"``: exp(-t² / 2 sigma²) cos(2 pi f t) within 4 sigma of 0, sigma = cycles / (2 pi f)
-    - ``"ricker"``: (1 - 2 a) exp(-a), a = (pi f t)², within 1.5 / f of 0; cycles do not matter
-    - ``"hann"``: (1 + cos(2 pi t / T)) / 2 sin(2 pi f t) within T / 2 of 0, T = cycles / f
+    - ``"gabor"``: exp(-t² / 2 sigma²) cos(2 pi f t) for |t| <= 4 sigma, sigma = cycles / (2 pi f)
+    - ``"ricker"``: (1 - 2 a) exp(-a), a = (pi f t)², for |t| <= 1.5 / f; cycles do not matter
+    - ``"hann"``: (1 + cos(2 pi t / T)) / 2 sin(2 pi f t) for |t| <= T / 2, T = cycles / f
 
     Wavelets that are longer than their slot overlap their neighbours, and add to them.  If the
     first or the last one is longer, the train is longer by as much, and starts at 0 all the same:
