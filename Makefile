@@ -8,7 +8,7 @@ AT_ONCE := -n auto --maxprocesses 8 --dist worksteal
 
 BENCHMARKS := "engine_speed.py --long" predict_speed.py slots.py frequency_drag.py hops.py slider_storm.py start.py long_design.py import_hour.py sweeps.py
 
-.PHONY: run test checks types tests fix pictures bench nightly faults growth clean
+.PHONY: run test checks types tests docs fix pictures bench nightly faults growth clean
 
 run: .venv/ready-to-run  ## open the studio
 	@$(BIN)/python -m skinsource_gui
@@ -29,13 +29,19 @@ types:  # beside the tests: alone it would leave the other cores idle
 tests:
 	QT_QPA_PLATFORM=offscreen $(BIN)/python -m pytest $(AT_ONCE) $(PYTEST_OPTIONS)
 
+docs: .venv/ready-for-docs  ## the site in build/docs, which Help opens; warnings are errors
+	rm -rf build/docs
+	$(BIN)/python -m sphinx -b html -d build/doctrees -W --keep-going -q docs build/docs
+	find build/docs -name '*.map' -delete
+
 fix: .venv/ready-to-test  ## let ruff mend what it can
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-pictures: .venv/ready-to-test  ## pictures of the window in build/pictures, and docs/window.png
+pictures: .venv/ready-to-test  ## of the window: build/pictures, docs/window.png, docs/pictures
 	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/pictures.py
 	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/pictures_in_use.py
+	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/tutorial.py
 
 bench: .venv/ready-to-test  ## promises of speed and memory, as ratios; on any machine (5 minutes)
 	@failed=0; for each in $(BENCHMARKS); do \
@@ -56,7 +62,7 @@ growth: .venv/ready-to-test  ## how cost grows with length, inputs and outputs: 
 	$(BIN)/python benchmarks/growth.py
 
 clean:
-	rm -rf .venv build dist
+	rm -rf .venv build dist docs/gallery
 
 .venv/ready-to-run: pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed; try make PYTHON=python3.12")'
@@ -67,4 +73,8 @@ clean:
 
 .venv/ready-to-test: .venv/ready-to-run
 	$(BIN)/python -m pip install --quiet --group dev
+	touch $@
+
+.venv/ready-for-docs: .venv/ready-to-run
+	$(BIN)/python -m pip install --quiet --group docs
 	touch $@

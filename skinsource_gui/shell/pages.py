@@ -180,11 +180,15 @@ class Pages(QObject):
         pages.PlacementPage(self._runner, self._limbs, self._document, self._window).open()
 
     def show_manual(self) -> None:
-        """Open the manual: the README, and the pages to which it leads."""
+        """Open the manual: the site in the browser, or the README and the pages it leads to."""
+        address = QUrl.fromLocalFile(str(manual_file()))
+        if address.fileName() == "index.html":
+            if not QtGui.QDesktopServices.openUrl(address):
+                self._window.statusBar().showMessage(f"Open by hand: {address.toLocalFile()}")
+            return
         page = _page("Manual", "", self._window)
         (browser,) = page.findChildren(QtWidgets.QTextBrowser, "page_text")
-        kind = QtGui.QTextDocument.ResourceType.MarkdownResource
-        browser.setSource(QUrl.fromLocalFile(str(manual_file())), kind)
+        browser.setSource(address, QtGui.QTextDocument.ResourceType.MarkdownResource)
         page.open()
 
     def show_about(self) -> None:

@@ -11,7 +11,7 @@ import skinsource as ss
 from skinsource.cli.command_line import main
 
 ROOT = Path(__file__).resolve().parents[2]
-BEGIN = ("README.md", "CONTRIBUTING.md")
+BEGIN = ("README.md", "CONTRIBUTING.md", "docs/index.md")
 PAGES = [ROOT / name for name in (*BEGIN, "CHANGELOG.md")] + sorted((ROOT / "docs").rglob("*.md"))
 #: Paths that begin like this are those of files of the project.
 CODE = "benchmarks", "core", "examples", "skinsource_gui", "tests"
@@ -27,6 +27,14 @@ def links_of(page: Path) -> list[Path]:
     """What it leads to within the project."""
     targets = re.findall(r"\]\((?!http)([^)#]+)", text_of(page))
     return [(page.parent / target).resolve() for target in targets]
+
+
+def shown_beside(page: Path) -> list[Path]:
+    """Pages that a list of the site names, by themselves or by a pattern."""
+    lists = re.findall(r"```{toctree}\n(?::.*\n)*\n((?:.*\n)*?)```", text_of(page))
+    # Some with another title before: Title <name>.
+    names = [re.sub(r".*<(.*)>", r"\1", line) for text in lists for line in text.splitlines()]
+    return [path for name in names if name for path in page.parent.glob(f"{name}.md")]
 
 
 def anchors_of(page: Path) -> set[str]:
@@ -56,7 +64,7 @@ def test_every_page_is_reached_from_the_readme_or_from_what_contributors_read():
         page = ahead.pop()
         if page.suffix == ".md" and page not in reached:
             reached.add(page)
-            ahead += links_of(page)
+            ahead += links_of(page) + shown_beside(page)
     assert {page.name for page in set(PAGES) - reached} == {"CHANGELOG.md"}
 
 

@@ -18,6 +18,7 @@ from skinsource_gui.panels.skin.scale import key_step_db
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time import ScrubBar
 from skinsource_gui.qt.keys import KEYS, MOUSE, SHORTCUTS, meaning_of
+from skinsource_gui.shell import pages
 from skinsource_gui.shell.actions import ACTIONS, MENUS
 from skinsource_gui.shell.menus import Palette, matching
 from skinsource_gui.shell.playing import Transport
@@ -322,6 +323,19 @@ def test_the_manual_is_the_readme_with_its_pages(window):
     assert "Install and start" in browser.toPlainText()
     browser.setSource(QUrl("docs/limbs.md"))
     assert "pre_trigger_delay_s" in browser.toPlainText()
+
+
+def test_the_manual_of_a_wheel_is_a_site_in_the_browser(window, tmp_path, monkeypatch):
+    site, opened = tmp_path / "index.html", []
+    for answer in (True, False):
+        monkeypatch.setattr(f"{pages.__name__}.manual_file", lambda: site)
+        monkeypatch.setattr(
+            pages.QtGui.QDesktopServices, "openUrl", lambda at, a=answer: opened.append(at) or a
+        )
+        window.do("show_manual")
+        assert opened.pop().toLocalFile() == str(site)
+        assert (str(site) in window.statusBar().currentMessage()) != answer
+    assert window.findChild(QTextBrowser, "page_text") is None
 
 
 def test_the_keys_page_lists_each_gesture_and_the_key_of_each_action(window):

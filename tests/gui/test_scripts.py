@@ -41,3 +41,10 @@ def test_four_stimuli_are_composed_by_keyboard_alone(tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
     assert done.stdout.count("By keyboard: ") == 4
     assert "NOT SO" not in done.stdout
+
+
+def test_the_window_does_what_its_tutorial_says(tmp_path):
+    done = run(ROOT / "benchmarks" / "tutorial.py", "--pictures", tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+    pictures = {path.name for path in (ROOT / "docs" / "pictures").iterdir()}
+    assert {path.name for path in tmp_path.iterdir()} == pictures

@@ -36,8 +36,10 @@ def test_the_windows_resources_are_installed():
         assert (resource_folder() / name).is_file()
 
 
-def test_the_manual_is_installed():
-    assert (manual_file().parent / "docs" / "limbs.md").is_file()
+def test_the_manual_is_the_site():
+    """`.ci/run` builds it before."""
+    assert manual_file().name == "index.html"
+    assert (manual_file().parent / "limbs.html").is_file()
 
 
 def test_a_prediction_runs_on_the_built_in_limb():

@@ -15,8 +15,11 @@ def data_folder() -> Path:
 
 
 def manual_file() -> Path:
-    """Return README.md, beside ``docs``: of this project, or those in a wheel."""
+    """Return the first page of the manual: the site, if a wheel has it, else README.md."""
     installed = PACKAGE / "_manual"
+    site = installed / "index.html"
+    if site.is_file():
+        return site
     return (installed if installed.is_dir() else PACKAGE.parents[1]) / "README.md"
 
 

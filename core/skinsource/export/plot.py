@@ -654,7 +654,7 @@ def annotate_scale(ax: Any, text: str) -> None:
     )
 
 
-_WIDTH_MM, _ROW_MM, _AROUND_MM = 130.0, 13.0, 26.0
+_WIDTH_MM, _ROW_MM, _AROUND_MM, _BELOW_MM = 130.0, 13.0, 26.0, 14.0
 _TRACE_QUANTITIES = "response_time_s", "axis_traces", "selected_projection"
 # With more samples a page shows no single wave, only how far waves reach: in more columns than a
 # page of two columns has dots at 600 dots per inch.
@@ -870,7 +870,8 @@ def _signals_figure(
     ax: Any, rows: Sequence[PlotRow], designs: Sequence[Design], words: tuple[str, str], **how: Any
 ) -> Any:
     """Draw rows into ``ax``, or a figure of their own; ``words``: label of x, and of the scale."""
-    target, is_new = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
+    height_mm = _ROW_MM * len(rows) + _AROUND_MM
+    target, is_new = axes_of(ax, _WIDTH_MM, height_mm)
     figure, (label, scale) = target.figure, words
     with style():
         draw_rows(target, rows, legend_above=True, **how)
@@ -879,7 +880,7 @@ def _signals_figure(
         if is_new and any(facts_of(design.limb).synthetic for design in designs):
             figure.text(0.99, 0.01, SYNTHETIC, ha="right", color=DIM, fontsize=6)
         if is_new:
-            figure.subplots_adjust(left=0.14, right=0.97, bottom=0.17, top=0.88)
+            figure.subplots_adjust(left=0.14, right=0.97, bottom=_BELOW_MM / height_mm, top=0.88)
     return figure
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
@@ -54,6 +55,16 @@ def test_a_map_lies_where_the_outline_is_and_marks_inputs_and_outputs():
     assert "61" not in texts  # it has no place on the back
     assert "50 mm" in texts
     assert any("SYNTHETIC" in text for text in texts)
+
+
+@pytest.mark.parametrize("n_rows", [1, 2, 9])
+def test_what_a_limb_is_stands_below_the_label_of_the_axis(n_rows):
+    figure = ss.plot.traces(DESIGN, outputs=range(1, n_rows + 1))
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    figure.draw(renderer)
+    (note,), label = figure.texts, figure.axes[0].xaxis.label
+    assert "SYNTHETIC" in note.get_text()
+    assert note.get_window_extent(renderer).y1 < label.get_window_extent(renderer).y0
 
 
 def test_traces_are_the_projected_acceleration_over_time():

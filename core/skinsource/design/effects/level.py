@@ -132,7 +132,7 @@ WAVE = ChoiceSpec(
 
 @dataclass(frozen=True, slots=True)
 class Rectify(KeepsTime, TimedEffect):
-    r"""Turns up what is below 0 (``"full"``, \\|x\\|), or leaves it out (``"half"``, max(x, 0)).
+    """Turns up what is below 0 (``"full"``, |x|), or leaves it out (``"half"``, max(x, 0)).
 
     A tone gets a mean above 0 and even harmonics; a `BandLimit` after it removes what lies outside
     the measured band.
