@@ -235,7 +235,7 @@ class Player:
         if not self._stream.answered.wait(_ANSWER_S):
             self.close()
             raise PlaybackError(
-                f"{self.device.name} does not ask for samples. Reconnect it, or choose another."
+                f"{self.device.name} takes no samples. Reconnect it, or choose another."
             )
         if began is not None:
             self._teller = Thread(target=self._tell, args=(began,), daemon=True)
@@ -283,7 +283,7 @@ class Player:
             It still plays, it has ended for good, or ``at`` is too soon or past.
         """
         if self._playback is not None and not self._playback.over:
-            raise PlaybackError("The player still plays. Wait for the playback, or stop it first.")
+            raise PlaybackError("The player still plays. Call stop first, or wait for the end.")
         if self._stream.closed or self._queue.ending is not None:
             raise PlaybackError("The player is closed. Make a new one.")
         one_of("clock", clock, ("stream", "monotonic"))
