@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import re
 import subprocess
 import sys
 from importlib import metadata
@@ -34,6 +35,16 @@ def test_the_windows_resources_are_installed():
     tables = ("themes", "keys", "actions", "choices", "exports", "analysis", "numbers", "columns")
     for name in ("theme.qss", "icons/play.svg", *(f"{table}.toml" for table in tables)):
         assert (resource_folder() / name).is_file()
+
+
+def test_menu_entry_icon_and_file_types_lie_where_desktops_look():
+    share = Path(sys.prefix) / "share"
+    (entry,) = (share / "applications").glob("skinsource*.desktop")
+    said = dict(re.findall(r"(\w+)=(.*)", entry.read_text(encoding="utf-8")))
+    assert (share / f"icons/hicolor/scalable/apps/{said['Icon']}.svg").is_file()
+    assert (Path(sys.prefix) / "bin" / said["Exec"].split()[0]).is_file()
+    types = (share / "mime/packages/skinsource-studio.xml").read_text(encoding="utf-8")
+    assert re.findall(r'mime-type type="(.*)"', types) == said["MimeType"].rstrip(";").split(";")
 
 
 def test_the_manual_is_installed():
