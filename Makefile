@@ -59,6 +59,7 @@ frozen: .venv/ready-to-test  ## the studio as a folder that needs no Python: bui
 	$(BIN)/python packaging/freeze.py
 
 release: .venv/ready-to-test  ## build and check what is released, with checksums: dist
+	$(BIN)/python -m pip install --quiet --group release
 	$(BIN)/python packaging/release.py
 
 clean:

@@ -2,7 +2,7 @@
 
 Wheel and source archive are built, their pages checked (twine), the wheel installed in an empty
 environment: there the studio renders its window without a screen, and the README's script and
-commands run.  ``SHA256SUMS`` and the licences of what is installed come last.
+export run.  ``SHA256SUMS`` comes last.
 """
 
 import hashlib
@@ -61,13 +61,10 @@ def try_wheel(wheel: Path, folder: Path) -> None:
     run(scripts / "skinsource-gui", "--render", used / "rendered", folder=used)
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     (script,) = re.findall(r"```python\n(.*?)```", readme, re.DOTALL)
+    script += "\nss.save_design('scene.skinsource', design)"
     run(python, "-c", script, folder=used)
-    # The scene of the README's commands.
-    scene = f"{script}\nss.save_design('scene.skinsource', design)"
-    run(python, "-c", scene, folder=used)
-    for command in re.findall(r"^\| `skinsource (\w+ scene[^`]*)`", readme, re.MULTILINE):
-        if "RECORDING" not in command:
-            run(scripts / "skinsource", *command.split(), folder=used)
+    (command,) = re.findall(r"`skinsource (export scene.*?)`", readme)
+    run(scripts / "skinsource", *command.split(), folder=used)
     run(scripts / "skinsource", "doctor", folder=used)
 
 

@@ -30,8 +30,8 @@ export DISPLAY=:9
 begun=$(date +%s%N)
 skinsource-gui scene.skinsource &
 studio=$!
-until xwininfo -root -tree 2>/dev/null | grep -q 'SkinSource studio'; do kill -0 $studio; done
+until xwininfo -root -tree 2>/dev/null | grep -q '"skinsource-gui" "SkinSource studio"'; do kill -0 $studio; done
 echo "The window stands after $((($(date +%s%N) - begun) / 1000000)) ms."
 kill $studio $screen
 TRY
-chroot "$root" sh /try.sh
+env -i PATH="$PATH" chroot "$root" /bin/sh /try.sh
