@@ -8,7 +8,7 @@ AT_ONCE := -n auto --maxprocesses 8 --dist worksteal
 
 BENCHMARKS := "engine_speed.py --long" predict_speed.py slots.py frequency_drag.py hops.py slider_storm.py start.py long_design.py import_hour.py sweeps.py
 
-.PHONY: run test checks types tests docs fix pictures bench nightly faults growth clean
+.PHONY: run test checks types tests docs fix pictures bench nightly faults growth frozen release clean
 
 run: .venv/ready-to-run  ## open the studio
 	@$(BIN)/python -m skinsource_gui
@@ -60,6 +60,13 @@ faults: .venv/ready-to-test  ## do the tests still notice the faults that they n
 
 growth: .venv/ready-to-test  ## how cost grows with length, inputs and outputs: build/growth
 	$(BIN)/python benchmarks/growth.py
+
+frozen: .venv/ready-to-test  ## the studio as a folder that needs no Python: build/frozen (10 minutes)
+	$(BIN)/python packaging/freeze.py
+
+release: .venv/ready-to-test  ## build and check what is released, with checksums: dist
+	$(BIN)/python -m pip install --quiet --group release
+	$(BIN)/python packaging/release.py
 
 clean:
 	rm -rf .venv build dist docs/gallery

@@ -16,7 +16,6 @@ from pathlib import Path
 
 from skinsource.base.errors import escaped
 from skinsource.base.extras import extra_line
-from skinsource.base.run_limited import serve_if_asked
 from skinsource.version import __version__
 from skinsource_gui.qt.lazy_modules import leave_sources_unread, make_lazy
 from skinsource_gui.qt.system_libraries import has_display, install_line, missing_packages
@@ -26,8 +25,6 @@ _FIRST_RUN = Path("build/first-run")
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Open the studio; without a display, render what it would show to files instead."""
-    if serve_if_asked(sys.argv[1:] if arguments is None else arguments):
-        return 0
     options = _parser().parse_args(arguments)
     if importlib.util.find_spec("PySide6") is None or importlib.util.find_spec("pyqtgraph") is None:
         return _stop(f"the window needs its own packages: {extra_line('gui')}")

@@ -9,7 +9,7 @@ import sys
 from functools import partial
 from pathlib import Path
 
-from PySide6 import QtWidgets
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 
 from skinsource.base.allocation import give_freed_memory_back, keep_freed_memory
@@ -19,6 +19,7 @@ from skinsource.base.files import make_folder
 from skinsource.engine.evaluation import forget_evaluated
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.qt.accessible import tell_items
+from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.qt.windows import fit_by_guess
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.playing import device_is_stuck
@@ -154,6 +155,7 @@ def make_application() -> QtWidgets.QApplication:
     application = QtWidgets.QApplication(sys.argv[:1])
     application.setApplicationName("SkinSource studio")
     application.setDesktopFileName("skinsource-studio")
+    application.setWindowIcon(QtGui.QIcon(str(resource_folder() / "icons/skinsource-studio.svg")))
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     keep_freed_memory()
     tell_items()

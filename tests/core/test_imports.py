@@ -92,3 +92,8 @@ def test_the_line_fits_how_the_studio_is_installed(monkeypatch, tmp_path, editab
     with pytest.raises(MissingExtraError) as error:
         extras.package_of_extra("no_package_of_this_name", "audio")
     assert extras.extra_line("audio") in str(error.value)
+
+
+def test_where_uv_made_the_environment_its_line_is_of_uv(monkeypatch):
+    monkeypatch.setattr("importlib.util.find_spec", {}.get)
+    assert extras.extra_line("audio").startswith(f"uv pip install --python {sys.executable} ")

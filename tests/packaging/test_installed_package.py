@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import re
 import subprocess
 import sys
 from importlib import metadata
@@ -40,6 +41,16 @@ def test_the_manual_is_the_site():
     """`.ci/run` builds it before."""
     assert manual_file().name == "index.html"
     assert (manual_file().parent / "limbs.html").is_file()
+
+
+def test_menu_entry_icon_and_file_types_lie_where_desktops_look():
+    share = Path(sys.prefix) / "share"
+    (entry,) = (share / "applications").glob("skinsource*.desktop")
+    said = dict(re.findall(r"(\w+)=(.*)", entry.read_text(encoding="utf-8")))
+    assert (share / f"icons/hicolor/scalable/apps/{said['Icon']}.svg").is_file()
+    assert (Path(sys.prefix) / "bin" / said["Exec"].split()[0]).is_file()
+    types = (share / "mime/packages/skinsource-studio.xml").read_text(encoding="utf-8")
+    assert re.findall(r'mime-type type="(.*)"', types) == said["MimeType"].rstrip(";").split(";")
 
 
 def test_a_prediction_runs_on_the_built_in_limb():

@@ -1,6 +1,7 @@
 """Optional packages: the extras of the project."""
 
 import importlib
+import importlib.util
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -10,11 +11,17 @@ from skinsource.base.errors import MissingExtraError, printable, quoted
 
 def extra_line(extra: str) -> str:
     """Return the line to type to install an extra, for a checkout or an installed package."""
+    if getattr(sys, "frozen", False):
+        # The self-contained folder takes no more packages.
+        return f'pipx install "skinsource[all,{extra}]"'
     checkout = Path(__file__).resolve().parents[3]
     requirement = f'"skinsource[{extra}]"'
     if (checkout / "pyproject.toml").is_file():
         requirement = f'-e "{checkout}[{extra}]"'
     python = f'"{sys.executable}"' if " " in sys.executable else sys.executable
+    if importlib.util.find_spec("pip") is None:
+        # uv has made the environment.
+        return f"uv pip install --python {python} {requirement}"
     return f"{python} -m pip install {requirement}"
 
 

@@ -2,9 +2,7 @@
 
 A parser that crashes, hangs or fills the memory ends that process, and nothing else.  It is
 ``python -P -m skinsource.base.run_limited``, so that it runs neither the script of the user again
-nor modules of the current folder.  A frozen program has no such command: it starts itself again
-with `FLAG`, and its first statement is ``if serve_if_asked(sys.argv[1:]): sys.exit()``, as that of
-the studio and of the command ``skinsource``.
+nor modules of the current folder.
 
 A request is a line of JSON: the name of a function, "module:function", a path and other arguments.
 Each answer is a line of JSON too, ``{"array": ["<f8", rows, ...]}`` is followed by the bytes of the
@@ -17,7 +15,7 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import nullcontext, suppress
 from math import prod
 from pathlib import Path
@@ -34,8 +32,6 @@ from skinsource.base.errors import RecordingError, SkinSourceError, Stopped, Sto
 from skinsource.base.files import path_text
 from skinsource.base.job import Stop, never
 
-#: Argument with which a frozen program starts itself as the process that reads.
-FLAG = "--run-limited"
 #: Most memory of the process, and most bytes of all results of a function.
 MEMORY_BYTES, RESULT_BYTES = 2**30, 2**30
 # A process that does not answer for this long is taken to hang.
@@ -234,7 +230,7 @@ class LimitedProcess:
 
     def _start(self) -> None:
         self._process = subprocess.Popen(  # noqa: S603  ourselves
-            _command(),
+            (sys.executable, "-P", "-m", __name__),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -262,12 +258,6 @@ def resident_bytes(pid: int | None) -> int | None:
         return None
 
 
-def _command() -> Sequence[str]:
-    if getattr(sys, "frozen", False):
-        return (sys.executable, FLAG)
-    return (sys.executable, "-P", "-m", __name__)
-
-
 def _listen(pipe: IO[bytes], answers: "Queue[dict[str, Any] | None]") -> None:
     """Put the answers of the process into the queue, until it ends or sends nonsense."""
     with suppress(OSError, ValueError, TypeError, KeyError):
@@ -284,17 +274,6 @@ def _listen(pipe: IO[bytes], answers: "Queue[dict[str, Any] | None]") -> None:
                 break
             answers.put(answer)
     answers.put(None)
-
-
-def serve_if_asked(arguments: Sequence[str]) -> bool:
-    """Be the process that reads if the arguments of the command say so; return whether they did.
-
-    A frozen program calls this before all else.
-    """
-    if FLAG not in arguments:
-        return False
-    _serve()
-    return True
 
 
 def _serve() -> None:

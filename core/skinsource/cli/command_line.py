@@ -6,7 +6,6 @@ import sys
 from collections.abc import Sequence
 
 from skinsource.base.errors import SkinSourceError, Stopped
-from skinsource.base.run_limited import serve_if_asked
 from skinsource.cli import (
     bench_command,
     design_commands,
@@ -42,8 +41,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         141: who reads the output has closed it.
         (A wrong call ends in `SystemExit` 2, as usual with argparse.)
     """
-    if serve_if_asked(sys.argv[1:] if argv is None else argv):
-        return 0
     try:
         try:
             arguments = _parser().parse_args(argv)

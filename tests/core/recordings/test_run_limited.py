@@ -112,17 +112,3 @@ def test_the_folder_in_which_one_stands_gives_no_code(tmp_path, monkeypatch):
     np.save(tmp_path / "x.npy", np.arange(9.0))
     with ReadingProcess() as process:
         assert process.look(tmp_path / "x.npy").format == "NPY"
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="a script with a first line is no program")
-@pytest.mark.parametrize("package", ["skinsource", "skinsource_gui"])
-def test_a_frozen_program_starts_itself_as_the_process_that_reads(
-    package, tmp_path, monkeypatch, files
-):
-    program = tmp_path / "studio"
-    program.write_text(f"#!{sys.executable}\nfrom {package}.__main__ import main\nmain()\n")
-    program.chmod(0o755)
-    monkeypatch.setattr(sys, "frozen", True, raising=False)
-    monkeypatch.setattr(sys, "executable", str(program))
-    with ReadingProcess() as process:
-        assert process.look(files["WAV"]).format == "WAV"
