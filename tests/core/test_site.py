@@ -27,7 +27,19 @@ EXAMPLES = sorted((ROOT / "examples" / "gallery").glob("plot_*.py"))
 #: Drawings of the graph, and parts of the site.
 NOT_CODE = "mermaid", "{toctree}", "{include}"
 #: What begins a command that changes the machine: packages/CI try them.
-INSTALLING = "make ", "cp ", "update-", "py ", ".venv", "pip ", "pipx ", "uv ", "sudo ", "dask ", "skinsource-gui"
+INSTALLING = (
+    "make ",
+    "cp ",
+    "update-",
+    "py ",
+    ".venv",
+    "pip ",
+    "pipx ",
+    "uv ",
+    "sudo ",
+    "dask ",
+    "skinsource-gui",
+)
 
 
 @contextlib.contextmanager

@@ -31,6 +31,7 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.rig.page import MeasurePage
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing import Player, end_sound, sound_worker
@@ -75,11 +76,14 @@ class WiringPage(ToolPage):
         self._thread, self._stop = sound_worker(self), Event()
         self._session = Session(lambda _: None)
         self._running = False
+        # Outputs that buzzed: of others nobody can say where they are felt.
+        self._buzzed: set[int] = set()
         self._settings.look_for_rig()
         # To look for devices ends playback, and frees the sound card.
         self._settings.look()
         self.rig = self._settings.rig
         self.check: WiringCheck | None = None
+        self._saved: WiringCheck | None = None
         self.table = named(QtWidgets.QTableWidget(), "wiring_table", "Channels")
         self.table.setColumnCount(len(_COLUMNS))
         self.table.setHorizontalHeaderLabels(_COLUMNS)
@@ -100,7 +104,7 @@ class WiringPage(ToolPage):
             _number("wiring_reference", _REFERENCE),
         )
         self.source.set_value(1.0)
-        self.arm = self.add_arm("wiring_arm", lambda _: self._show_state())
+        self.arm = self.add_arm("wiring_arm", self._arm)
         add = self.add_button
         self.buzz = add("wiring_buzz", "Buzz", "0.6 s of 100 Hz on this output", self._buzz)
         self.felt = add("wiring_felt", "Felt here", "Note it, and go to the next", self._note)
@@ -126,15 +130,20 @@ class WiringPage(ToolPage):
         about = page_label("wiring_about", _INTRODUCTION)
         in_column(about, (self.table, 1), felt, cables, self.message, ends, of=self, gap_px=UNIT_PX)
         self.table.itemSelectionChanged.connect(self._show_place)
+        self._settings.changed.connect(self._follow_devices)
         if self.rig is None:
-            self.complain("No rig is chosen. Choose one under Output, or make one: Play > Rig…")
+            self.complain("No rig is chosen. Choose one under Output, or make one (Play > Rig).")
         else:
-            self._take(partial(wiring_check, self.rig))
-            self.table.selectRow(0)
+            self._begin()
         self._show_state()
 
     def done(self, result: int) -> None:
-        """Fall silent, and close the page."""
+        """Fall silent, and close the page, after a question where answers are not saved."""
+        question = "What was found is not saved. Save it?"
+        if self.check != self._saved and not ask_to_save(
+            self, "Check wiring", question, self._save
+        ):
+            return
         self._stop.set()
         end_sound(self._thread, self._session.close)
         super().done(result)
@@ -150,6 +159,24 @@ class WiringPage(ToolPage):
         """The channel of the selected row."""
         row = self.table.currentRow()
         return None if self.check is None or row < 0 else self.check.channels[row]
+
+    def _begin(self) -> None:
+        """Show a check of which nothing is known yet."""
+        if self.rig is not None:
+            self._take(partial(wiring_check, self.rig))
+            self._saved = self.check
+            self._buzzed.clear()
+            self.table.selectRow(0)
+            self.say("Nothing is checked yet.")
+
+    def _follow_devices(self) -> None:
+        self._arm(self.arm.isChecked())
+
+    def _arm(self, on: bool) -> None:
+        if on and self._settings.searched and not self._settings.devices:
+            self.arm.setChecked(False)
+            self.complain(self._settings.missing)
+        self._show_state()
 
     def _take(self, step: Callable[[], WiringCheck]) -> None:
         """Show what is known after a step."""
@@ -172,6 +199,7 @@ class WiringPage(ToolPage):
         if self.channel is not None:
             felt = self.channel.felt_at or self.channel.place
             self.place.set_value(f"{felt}")
+        self._show_state()
 
     def _buzz(self) -> None:
         channel, output = self.channel, self._settings.output
@@ -181,11 +209,14 @@ class WiringPage(ToolPage):
             self._session.tone, channel.output, output, self._player.gain.gain_db, self.rig
         )
         self.say(f"Output {channel.output} buzzes. {_WHICH}")
-        self._thread.run(tone, self._buzzed)
+        self._thread.run(tone, partial(self._note_buzz, channel.output))
 
-    def _buzzed(self, _: Any, error: Exception | None) -> None:
+    def _note_buzz(self, output: int, _: Any, error: Exception | None) -> None:
         if error is not None:
             self.complain(str(error))
+        else:
+            self._buzzed.add(output)
+            self._show_state()
 
     def _note(self) -> None:
         if self.check is None or self.channel is None:
@@ -260,21 +291,29 @@ class WiringPage(ToolPage):
         if self._settings.choose_rig(path):
             design, view = self._document.design, self._document.view
             self._document.apply(edits.choose_rig(design, view, rig))
-        self._take(partial(wiring_check, rig))
+        self._begin()
         self.say(f"Saved {path.name}. Check it once more.")
 
-    def _save(self) -> None:
-        path = self.ask_save("Save the check", _PAGES, Path("wiring.pdf"))
-        if path is not None and self.check is not None:
-            write = partial(save_wiring_check, self.check, path)
-            self.save_as(path, write, self._settings.preferences)
+    def _save(self) -> bool:
+        """Save the check; return whether that was done."""
+        path, check = self.ask_save("Save the check", _PAGES, Path("wiring.pdf")), self.check
+        if path is None or check is None:
+            return False
+
+        def write() -> None:
+            save_wiring_check(check, path if path.suffix else path.with_suffix(".pdf"))
+            self._saved = check
+
+        self.save_as(path, write, self._settings.preferences)
+        return self._saved == check
 
     def _show_state(self) -> None:
         known, armed = self.check is not None, self.arm.isChecked() and not self._running
         for button in (self.buzz, self.loop):
             button.setEnabled(known and armed)
-        for button in (self.felt, self.sense, self.save):
+        for button in (self.sense, self.save):
             button.setEnabled(known and not self._running)
+        self.felt.setEnabled(self.channel is not None and self.channel.output in self._buzzed)
         self.correct.setEnabled(self.check is not None and bool(self.check.sentences))
 
 

@@ -104,7 +104,7 @@ def test_choices_change_what_is_shown_and_placed(desk, page_at, qtbot, sound):
     assert page.form.choice.scale == "peak"
     choose(page, qtbot, "unit", "g")
     assert page.form.choice.scale == "keep"
-    assert "peak 3.89" in page.preview.text
+    assert "largest sample 3.89" in page.preview.text
     assert "m/s²" in page.preview.text
     page.accept()
     waveform = desk.document.design.inputs[-1].clips[-1].waveform

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from PySide6.QtWidgets import QMessageBox
 from shiboken6 import isValid
 
 import skinsource as ss
@@ -52,6 +53,7 @@ def page(sound, open_window, rig_path, qtbot):
     qtbot.waitUntil(lambda: settings.searched, **WAIT)
     yield page
     if isValid(page):
+        page._saved = page.check
         page.reject()
     settings.choose_rig(None)
     settings.choose(Output())
@@ -75,8 +77,13 @@ def test_an_armed_output_buzzes_and_nothing_else_does(page, sound, qtbot):
     assert second.any()
 
 
-def test_swapped_places_are_noted_row_after_row_and_put_right_in_the_rig(page, rig_path):
+def test_swapped_places_are_noted_row_after_row_and_put_right_in_the_rig(page, rig_path, qtbot):
+    page.arm.click()
     for place in (8, 7):
+        # Nobody can say where an output is felt that did not buzz.
+        assert not page.felt.isEnabled()
+        page.buzz.click()
+        qtbot.waitUntil(page.felt.isEnabled, **WAIT)
         page.place.choose(f"{place}")
         page.felt.click()
     assert cells(page, 0)[:3] == ["1", "7", "8"]
@@ -98,10 +105,42 @@ def test_a_cable_tells_delay_and_jitter_of_its_output(page, qtbot):
     qtbot.waitUntil(lambda: "Check the cable" in page.message.text(), **WAIT)
 
 
-def test_the_check_is_saved_as_a_page(page, answers, tmp_path):
+def test_what_was_found_is_saved_as_a_page_before_it_is_lost(
+    page, answers, tmp_path, qtbot, monkeypatch
+):
+    page.arm.click()
+    page.loop.click()
+    qtbot.waitUntil(lambda: "ms" in cells(page, 0)[5], **WAIT)
+    asked = []
+
+    def question(*said):
+        asked.append(said[2])
+        return QMessageBox.StandardButton.Cancel
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    page.reject()
+    assert asked == ["What was found is not saved. Save it?"]
+    assert page.isVisible()
     answers["save"] = str(tmp_path / "wiring.svg")
     page.save.click()
-    assert "not checked" in (tmp_path / "wiring.svg").read_text()
+    assert "10.000 ms" in (tmp_path / "wiring.svg").read_text()
+    page.reject()
+    assert len(asked) == 1
+
+
+def test_without_a_device_nothing_is_armed(open_window, rig_path, monkeypatch, qtbot):
+    use(monkeypatch, Card())
+    window = open_window(ss.Design(limb="synthetic-1", inputs=(ss.track(7),)))
+    settings = window.playback.player.settings
+    settings.choose_rig(rig_path)
+    window.do("check_wiring")
+    page = window.findChild(WiringPage)
+    qtbot.waitUntil(lambda: settings.searched and not settings.devices, **WAIT)
+    page.arm.click()
+    assert not page.arm.isChecked()
+    assert "No audio device was found" in page.message.text()
+    page.reject()
+    settings.choose_rig(None)
 
 
 def test_without_a_rig_it_says_where_to_choose_one(sound, open_window, qtbot):

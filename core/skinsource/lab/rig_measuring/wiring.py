@@ -227,7 +227,9 @@ def save_wiring_check(check: WiringCheck, path: FilePath) -> None:
         figure = new_page(f"{title}, checked on {check.checked_on}")
         rows = [channel.cells for channel in check.channels]
         draw_table(figure.add_axes((0.08, 0.24, 0.84, 0.68)), _COLUMNS, rows)
-        said = check.sentences or ("All that was checked is as the rig says.",)
+        known = any(set(channel.cells[2:]) != {_OPEN} for channel in check.channels)
+        right = "All that was checked is as the rig says." if known else "Nothing is checked yet."
+        said = check.sentences or (right,)
         figure.text(0.08, 0.2, "\n".join(said), fontsize=8, va="top", parse_math=False)
         content_bytes = plot.figure_content(figure, kind)
     write_bytes(Path(path), content_bytes)
