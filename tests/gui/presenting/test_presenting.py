@@ -114,6 +114,9 @@ def test_what_was_saved_in_front_of_people_stays(studio):
 
 
 def test_while_the_bars_are_away_words_lie_over_the_window(studio):
+    document = studio.document
+    stored = Snapshot(number=1, design=document.design)
+    document.look(replace(document.view, snapshots=(stored,)))
     studio.do("present")
     assert "F9 or Esc: leave" in studio.notice.text
     # There, or at its control, every key of the stage is named.
