@@ -42,6 +42,21 @@ def test_the_name_of_a_limb_stands_for_it(result):
         result(3.5)
 
 
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("frequency", "'frequency'; perhaps 'frequency_hz' is meant; a sweep can vary limb, "),
+        ("1.durations", "'1.durations'; perhaps '1.duration_s' is meant"),
+        ("1.limb", "nothing in the design has '1.limb'"),
+        ("2.frequency_hz", "names input '2', expected 1 to 1"),
+    ],
+)
+def test_a_sweep_refuses_unknown_variables_before_it_begins(tmp_path, name, message):
+    with pytest.raises(InvalidInputError, match=message):
+        ss.sweep(DESIGN, {"amplitude": [1.0], name: [50, 100]}, out=tmp_path / "sweep")
+    assert not (tmp_path / "sweep").exists()
+
+
 def test_a_variable_of_one_design_among_several_can_be_varied():
     tap = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
     table = ss.sweep([DESIGN, tap], {"frequency_hz": [50.0]})

@@ -56,7 +56,6 @@ def test_design_inputs_and_clips_are_varied():
         ("3.frequency_hz", 1.0, "expected 1 to 2"),
         ("0.frequency_hz", 1.0, "names input"),
         ("x.frequency_hz", 1.0, "names input"),
-        ("1.durations", 1.0, "perhaps '1.duration_s' is meant"),
         ("frequency_hz", "loud", "frequency_hz"),
         ("location", (1, 2, 3), "each of the 2 inputs"),
         ("amplitude", 1e9, "amplitude"),
