@@ -12,8 +12,9 @@ mountpoint -q "$root/dev/shm" || { mkdir -p "$root/dev/shm" && mount -t tmpfs tm
 trap 'umount "$root/proc" "$root/dev/shm"' EXIT
 cat >"$root/try.sh" <<'TRY'
 set -eu
-cd /tmp && rm -rf try && mkdir try && cd try
-export HOME=/tmp/try PATH=/studio:/usr/bin:/bin
+HOME=$(mktemp -d) PATH=/studio:/usr/bin:/bin
+export HOME PATH
+cd "$HOME"
 ! command -v python3 python
 skinsource doctor
 skinsource scenes 2F --out scene.skinsource

@@ -197,7 +197,7 @@ class WiringPage(ToolPage):
 
     def _show_place(self) -> None:
         if self.channel is not None:
-            felt = self.channel.felt_at or self.channel.place
+            felt = self.channel.reported_place or self.channel.place
             self.place.set_value(f"{felt}")
         self._show_state()
 

@@ -78,7 +78,7 @@ def test_a_check_is_written_for_programs_and_for_the_wall(check, tmp_path):
     check = check.felt(1, 8)
     save_wiring_check(check, tmp_path / "wiring.json")
     written = json.loads((tmp_path / "wiring.json").read_text())
-    assert written["channels"][0]["felt_at"] == 8
+    assert written["channels"][0]["reported_place"] == 8
     assert written["sentences"] == list(check.sentences)
     save_wiring_check(check, tmp_path / "wiring.svg")
     page = (tmp_path / "wiring.svg").read_text()

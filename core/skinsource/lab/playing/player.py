@@ -41,7 +41,7 @@ class Playback:
         What is played: samples, (n_outputs, n_times), before the gain, and names of outputs.
     code
         What the trigger tells.
-    asked_s
+    requested_s
         When its first sample was to be heard, in the clock of the stream; None: soon.
     latency_s
         How long before it was heard the device asked for the first sample; None before that.
@@ -50,9 +50,14 @@ class Playback:
     """
 
     def __init__(
-        self, stream: Stream, mix: Mix, asked_s: float | None, code: int, loopback_s: float | None
+        self,
+        stream: Stream,
+        mix: Mix,
+        requested_s: float | None,
+        code: int,
+        loopback_s: float | None,
     ) -> None:
-        self.mix, self.code, self.asked_s, self.loopback_s = mix, code, asked_s, loopback_s
+        self.mix, self.code, self.requested_s, self.loopback_s = mix, code, requested_s, loopback_s
         self.latency_s: float | None = None
         self._stream, self._ahead_s = stream, 0.0
         self._first_s: float | None = None
@@ -96,9 +101,9 @@ class Playback:
     @property
     def late_s(self) -> float:
         """How much later than asked the first sample is heard, s; 0 where it is not late."""
-        if self.asked_s is None or self.first_sample_s is None:
+        if self.requested_s is None or self.first_sample_s is None:
             return 0.0
-        late_s = self.first_sample_s - self.asked_s
+        late_s = self.first_sample_s - self.requested_s
         return late_s if late_s > 1.0 / self._stream.queue.sample_rate_hz else 0.0
 
     @property

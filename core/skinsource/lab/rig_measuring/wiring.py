@@ -35,7 +35,7 @@ class ChannelCheck:
     ----------
     place, output
         Input place and output of the device, from 1, as the rig has them.
-    felt_at
+    reported_place
         Input place at which its buzz was felt.
     inverted
         Whether the skin moves against what the polarity of the rig says.
@@ -52,7 +52,7 @@ class ChannelCheck:
 
     place: int
     output: int
-    felt_at: int | None = None
+    reported_place: int | None = None
     inverted: bool | None = None
     gain: float | None = None
     delay_s: float | None = None
@@ -67,7 +67,7 @@ class ChannelCheck:
         return (
             f"{self.output}",
             f"{self.place}",
-            _OPEN if self.felt_at is None else f"{self.felt_at}",
+            _OPEN if self.reported_place is None else f"{self.reported_place}",
             polarity,
             _OPEN if self.gain is None else f"{self.gain:.3g} m/s² per V",
             _OPEN if self.delay_s is None else f"{self.delay_s * 1e3:.3f} ms{against}",
@@ -97,7 +97,7 @@ class WiringCheck:
 
     def felt(self, output: int, place: int) -> WiringCheck:
         """Return it with the place at which the buzz of an output was felt."""
-        return self._with(output, felt_at=place)
+        return self._with(output, reported_place=place)
 
     def measured(self, output: int, measurement: ChannelMeasurement) -> WiringCheck:
         """Return it with polarity and gain as an accelerometer tells them."""
@@ -119,10 +119,10 @@ class WiringCheck:
         """What is not as the rig says, and which channels are not within 0.1 ms of each other."""
         said = []
         for channel in self.channels:
-            if channel.felt_at not in (None, channel.place):
+            if channel.reported_place not in (None, channel.place):
                 said.append(
-                    f"Output {channel.output} moves place {channel.felt_at}, and the rig says "
-                    f"place {channel.place}."
+                    f"Output {channel.output} moves place {channel.reported_place}, and the rig "
+                    f"says place {channel.place}."
                 )
             if channel.inverted:
                 said.append(
@@ -168,7 +168,7 @@ def _corrected(channel: RigChannel, found: Mapping[int, ChannelCheck]) -> RigCha
         channel = replace(
             channel, polarity="normal" if channel.polarity == "inverted" else "inverted"
         )
-    return channel if check.felt_at is None else replace(channel, place=check.felt_at)
+    return channel if check.reported_place is None else replace(channel, place=check.reported_place)
 
 
 @checking
