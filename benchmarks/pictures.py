@@ -1,4 +1,4 @@
-"""Pictures of the whole window and of each panel, light and dark, in two sizes, and its figures.
+"""Pictures of the whole window and of each panel, in three themes and two sizes, and its figures.
 
 make pictures     (writes build/pictures; open them and look; and docs/window.png for the README)
 """
@@ -68,6 +68,7 @@ def scenes() -> dict[str, tuple[Design, View, str]]:
         ),
         "analysis": (several, six, "arrange_analysis"),
         "presentation": (several, six, "arrange_presentation"),
+        "lab": (several, six, "arrange_lab"),
         "empty": (
             Design(limb="synthetic-1"),
             View(outputs=(), selected_inputs=()),
@@ -96,7 +97,7 @@ def main() -> int:
     view = replace(NEW_VIEW, outputs=(29, 33, 61), axes="z", selected_inputs=(1,))
     readme_picture(readme_design(), view)
     for name, (design, view, arrangement) in scenes().items():
-        for theme in ("light", "dark"):
+        for theme in ("light", "dark", "contrast"):
             for size in SIZES:
                 photograph(name, design, view, arrangement, theme, size)
     print_figures()
