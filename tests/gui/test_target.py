@@ -116,6 +116,16 @@ def test_esc_puts_the_brush_away_wherever_the_keyboard_is(at_target, panel):
     assert brush_of(window.document.view) == ""
 
 
+def test_a_panel_in_front_of_the_target_puts_the_brush_away_and_outputs_are_selected(at_target):
+    window = at_target()
+    window.docks["timeline"].enter()
+    assert not window.panel(TARGET).isVisible()
+    assert brush_of(window.document.view) == ""
+    stroke(window, 30)
+    assert target_of(window) is None
+    assert window.document.view.outputs == (30,)
+
+
 def test_the_keyboard_paints_too(at_target):
     window = at_target()
     skin = window.panel("skin").map

@@ -251,6 +251,12 @@ class TargetPanel(FoundPanel):
         if target.strong and self.said.text() == _EMPTY:
             self.said.setText(PREPARING)
 
+    def hideEvent(self, event: QtGui.QHideEvent) -> None:
+        super().hideEvent(event)
+        # Where no brush is in sight a click on the skin selects; a window that closes keeps it.
+        if brush_of(self._view) and self.window().isVisible():
+            self._brush(NO_BRUSH)
+
     def show_found(self, found: Found | None) -> None:
         shown = found or Found(design=self._design, said=(_EMPTY,))
         self.ways.show_ways(shown.ways, shown.design.limb)
@@ -273,8 +279,10 @@ class TargetPanel(FoundPanel):
         return None if clip is None or clip.id in own else clip
 
     def _take(self, name: str) -> None:
-        settings = TargetSettings(brush=name if self.brushes[name].isChecked() else NO_BRUSH)
-        self.view_changed.emit(with_settings(self._view, TARGET, settings))
+        self._brush(name if self.brushes[name].isChecked() else NO_BRUSH)
+
+    def _brush(self, name: str) -> None:
+        self.view_changed.emit(with_settings(self._view, TARGET, TargetSettings(brush=name)))
 
     def _change(self, target: Target, gesture: int | None) -> None:
         self.edited.emit(edits.change_target(self._design, self._view, target), gesture)
