@@ -4,6 +4,7 @@ import base64
 import hashlib
 import json
 import shutil
+import subprocess
 import zlib
 from dataclasses import replace
 from html.parser import HTMLParser
@@ -368,9 +369,75 @@ def open_page(browser, tmp_path):
     return opened
 
 
+class Firefox:
+    """Firefox without a window, asked over WebDriver BiDi, for which it needs no driver."""
+
+    def __init__(self, program, profile, websocket):
+        options = (
+            "--headless",
+            "--no-remote",
+            "--remote-debugging-port",
+            "0",
+            "--profile",
+            profile,
+        )
+        self._process = subprocess.Popen((program, *options), stderr=subprocess.PIPE, text=True)
+        address = next(line.split()[-1] for line in self._process.stderr if "BiDi" in line)
+        self._socket = websocket.create_connection(
+            f"{address}/session", timeout=120, suppress_origin=True
+        )
+        self._asked = 0
+        self.ask("session.new", capabilities={})
+        self._tab = self.ask("browsingContext.getTree")["contexts"][0]["context"]
+
+    def ask(self, method, **params):
+        self._asked += 1
+        self._socket.send(json.dumps({"id": self._asked, "method": method, "params": params}))
+        return json.loads(self._socket.recv())["result"]
+
+    def open(self, path):
+        self.ask("browsingContext.navigate", context=self._tab, url=path.as_uri(), wait="complete")
+        self.wait("document.documentElement.dataset.ready")
+
+    def wait(self, condition):
+        frame = "await new Promise(requestAnimationFrame)"
+        self.run(f"async () => {{ while (!({condition})) {frame}; return null; }}")
+
+    def run(self, function, *arguments):
+        """Return what an asynchronous function of the page returns."""
+        call = f"({function})(...{json.dumps(arguments)}).then(JSON.stringify)"
+        target = {"context": self._tab}
+        ran = self.ask("script.evaluate", expression=call, target=target, awaitPromise=True)
+        return json.loads(ran["result"]["value"])
+
+    def press(self, *keys):
+        presses = [{"type": kind, "value": key} for key in keys for kind in ("keyDown", "keyUp")]
+        source = {"type": "key", "id": "keyboard", "actions": presses}
+        self.ask("input.performActions", context=self._tab, actions=[source])
+
+    def quit(self):
+        self.ask("browser.close")
+        self._socket.close()
+        self._process.communicate(timeout=60)
+
+
+@pytest.fixture(scope="module")
+def firefox(tmp_path_factory):
+    """Start Firefox without a window."""
+    websocket = pytest.importorskip("websocket", reason="websocket-client is not installed")
+    program = shutil.which("firefox")
+    if program is None:
+        pytest.skip("Firefox is not here: install it, or firefox-esr")
+    running = Firefox(program, str(tmp_path_factory.mktemp("profile")), websocket)
+    yield running
+    running.quit()
+
+
+# Instants between samples.
+TIMES_S = (0.0203, 0.0911, 0.1507)
 SHOWN = """
-const [contents, timesS, done] = arguments, shown = [];
-(async () => {
+async (contents, timesS) => {
+  const shown = [];
   for (const content of contents) {
     await showPage(content);
     shown.push({
@@ -379,15 +446,11 @@ const [contents, timesS, done] = arguments, shown = [];
     });
   }
   return shown;
-})().then(done, (error) => done(String(error)));
+}
 """
 
 
-def test_a_browser_shows_levels_and_motion_of_drawn_designs(open_page, drawn):
-    # Instants between samples.
-    times_s = (0.0203, 0.0911, 0.1507)
-    contents = [shown for _, _, shown in drawn]
-    shown = open_page(design_of()).execute_async_script(SHOWN, contents, times_s)
+def assert_as_in_the_library(drawn, shown):
     for (design, view, content_), each in zip(drawn, shown, strict=True):
         values = ss.evaluate(design, "output_levels_db", "moving_z", view=view)
         texts = [
@@ -395,9 +458,36 @@ def test_a_browser_shows_levels_and_motion_of_drawn_designs(open_page, drawn):
         ]
         np.testing.assert_allclose(np.array(texts, float), values["output_levels_db"], atol=0.1)
         moving, largest = values["moving_z"], content_["field"]["largest"]
-        for time_s, field in zip(times_s, each["fields"], strict=True):
+        for time_s, field in zip(TIMES_S, each["fields"], strict=True):
             expected = moving.acceleration(time_s + moving.delay_s)[:, 0]
             np.testing.assert_allclose(field, expected, atol=1e-4 * largest)
+
+
+def test_a_browser_shows_levels_and_motion_of_drawn_designs(open_page, drawn):
+    contents = [shown for _, _, shown in drawn]
+    script = f"""const [contents, timesS, done] = arguments;
+    ({SHOWN.strip()})(contents, timesS).then(done, (error) => done(String(error)))"""
+    shown = open_page(design_of()).execute_async_script(script, contents, TIMES_S)
+    assert_as_in_the_library(drawn, shown)
+
+
+def test_firefox_shows_the_same(firefox, tmp_path, drawn):
+    firefox.open(ss.export_page(design_of(), tmp_path / "a.html"))
+    shown = firefox.run(SHOWN.strip(), [content_ for _, _, content_ in drawn], TIMES_S)
+    assert_as_in_the_library(drawn, shown)
+
+
+def test_firefox_plays_by_keys_and_asks_for_nothing(firefox, tmp_path):
+    firefox.open(ss.export_page(design_of(), tmp_path / "a.html"))
+    begin_ms = firefox.run("async () => byId('time').valueAsNumber")
+    firefox.press("\ue014")
+    assert firefox.run("async () => byId('time').valueAsNumber") == pytest.approx(begin_ms + 1.0)
+    firefox.press(" ")
+    firefox.wait(f"byId('time').valueAsNumber > {begin_ms + 1.5}")
+    firefox.press(" ")
+    assert firefox.run("async () => byId('play').textContent") == "Play"
+    refused = "fetch('data:,a').then(() => 'got it', () => 'refused')"
+    assert firefox.run(f"() => {refused}") == "refused"
 
 
 def test_a_browser_shows_the_lengths_of_vectors_of_a_measured_limb(open_page, synthetic_installed):
