@@ -526,10 +526,10 @@ function writeSpeeds() {
   const speeds = byId("speed");
   speeds.replaceChildren();
   for (const factor of page.speeds) {
-    const first = factor === page.speeds[0] ? " (clearest)" : "";
-    added(speeds, "option", `1/${numberText(factor)} of real time${first}`).value = factor;
+    const clearest = factor === page.clearest ? " (clearest)" : "";
+    added(speeds, "option", `1/${numberText(factor)} of real time${clearest}`).value = factor;
   }
-  [slower] = page.speeds;
+  slower = speeds.value = page.clearest;
 }
 
 // Shows another design; returns when all of it is drawn.

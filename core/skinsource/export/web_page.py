@@ -374,7 +374,7 @@ def _field(exported: ExportedDesign, times: _Times) -> Tree:
 
 
 def _motion(exported: ExportedDesign, times: _Times, *, signed: bool) -> Tree:
-    """Return what is repeated, and speeds: the first is one at which the waves can be followed."""
+    """Return what is repeated, and speeds: at the clearest one the waves can be followed."""
     design, limb = exported.design, exported.limb
     seen = replace(exported.view, slow_motion=0.0, delay_removed=True)
     name = moving_name(design.limb)
@@ -398,7 +398,8 @@ def _motion(exported: ExportedDesign, times: _Times, *, signed: bool) -> Tree:
             "end_s": end_s,
             "loudest_s": (first + moving.first + int(loudest)) / rate_hz - before_s,
         },
-        "speeds": [ceil(slower), *(factor for factor in _SPEEDS if factor >= least)],
+        "clearest": ceil(slower),
+        "speeds": sorted({ceil(slower), *(factor for factor in _SPEEDS if factor >= least)}),
     }
 
 

@@ -181,6 +181,15 @@ def test_traces_and_field_have_the_times_of_the_design_through_an_actuator():
     assert around.max() == pytest.approx(trace["curve"]["peak"], rel=0.05)
 
 
+def test_one_speed_is_the_clearest_and_none_is_offered_twice():
+    shown = content(design_of())
+    # A tone of 100 Hz is followed at 2 Hz.
+    assert shown["clearest"] == 50
+    assert shown["speeds"] == [20, 50, 100, 200, 500, 1000]
+    odd = content(design_of(ss.track(7, ss.waveforms.Tone(frequency_hz=90.0, duration_s=0.2))))
+    assert odd["speeds"][:3] == [20, odd["clearest"], 50]
+
+
 def test_the_drive_is_embedded_also_two_octaves_higher():
     sound = content(design_of(tone(), tone(9, muted=True)))["sound"]
     plain, up = (unpacked(sound[name], "<i2").astype(float) for name in ("plain", "up"))
