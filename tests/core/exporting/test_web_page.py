@@ -540,11 +540,12 @@ def test_the_map_is_drawn_before_all_else_is_read(open_page):
     # Of damaged curves it is told when they are read.
     shown = content(design_of())
     shown["tracks"][0]["curve"]["low"] = "AAAA"
-    script = """const done = arguments[1];
-    byId("map").getContext("2d").reset();
-    showPage(arguments[0]).then(() => done("read"), () => done(byId("map").toDataURL()))"""
     browser = open_page(design_of())
     drawn = browser.execute_script("return byId('map').toDataURL()")
+    blank = "byId('map').getContext('2d').reset(); return byId('map').toDataURL()"
+    assert browser.execute_script(blank) != drawn
+    script = """const [content, done] = arguments;
+    showPage(content).then(() => done("read"), () => done(byId("map").toDataURL()))"""
     assert browser.execute_async_script(script, shown) == drawn
 
 
