@@ -11,21 +11,27 @@ const CURVES = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b07d00", "#56b4e9"
 const FRAMES_PER_S = 60;
 // Samples on each side of an instant that its value is made of, and the shape of their window.
 const REACH = 64, BETA = 12.3;
+const MEANINGS = {
+  signed: "Red and blue: accelerated in opposite directions. White: at rest.",
+  magnitude: "Bright: strongly accelerated, in any direction. Dark: at rest.",
+  levels: "Bright: strong. Dark: weak.",
+};
 const NEAREST_MM = 15, BELOW_PX = 22;
 
 // ---- what is embedded ----
 
 async function unpacked(text, kind) {
-  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const letters = atob(text), bytes = new Uint8Array(letters.length);
+  // From an iterator the first picture would come 0.1 s later.
+  for (let k = 0; k < bytes.length; k++) bytes[k] = letters.charCodeAt(k);
+  const stream = new Response(bytes).body.pipeThrough(new DecompressionStream("deflate"));
   return new kind(await new Response(stream).arrayBuffer());
 }
 
 async function readMap(map) {
-  const inside = await unpacked(map.inside, Uint8Array);
-  const counts = await unpacked(map.counts, Uint8Array);
-  const outputs = await unpacked(map.outputs, Uint16Array);
-  const weights = await unpacked(map.weights, Uint8Array);
+  const [inside, counts, outputs, weights] = await Promise.all([
+    unpacked(map.inside, Uint8Array), unpacked(map.counts, Uint8Array),
+    unpacked(map.outputs, Uint16Array), unpacked(map.weights, Uint8Array)]);
   const pixels = [];
   inside.forEach((is, pixel) => { if (is) pixels.push(pixel); });
   // Weights of a pixel are rounded; together they are 1.
@@ -44,18 +50,22 @@ async function readRow(row) {
     high: await unpacked(curve.high, Int8Array) } };
 }
 
-async function readPage(data) {
+// What the first picture needs.
+async function readFirst(data) {
+  const { field } = data;
+  const [values, map] = await Promise.all([
+    unpacked(field.values, field.signed ? Int16Array : Uint8Array), readMap(data.maps[0])]);
+  return { ...data, field: { ...field, values }, maps: [map], otherMaps: data.maps.slice(1) };
+}
+
+async function readRest(first) {
   const all = (items, read) => Promise.all(items.map(read));
-  return {
-    ...data,
-    field: { ...data.field,
-      values: await unpacked(data.field.values, data.field.signed ? Int16Array : Uint8Array) },
-    maps: await all(data.maps, readMap),
-    traces: await all(data.traces, readRow),
-    tracks: await all(data.tracks, readRow),
-    sound: data.sound && { ...data.sound, plain: await unpacked(data.sound.plain, Int16Array),
-      up: await unpacked(data.sound.up, Int16Array) },
-  };
+  const { sound } = first;
+  const [others, traces, tracks, plain, up] = await Promise.all([
+    all(first.otherMaps, readMap), all(first.traces, readRow), all(first.tracks, readRow),
+    sound && unpacked(sound.plain, Int16Array), sound && unpacked(sound.up, Int16Array)]);
+  return { ...first, maps: [...first.maps, ...others], traces, tracks,
+    sound: sound && { ...sound, plain, up } };
 }
 
 // ---- values ----
@@ -98,8 +108,13 @@ function fieldAt(page, timeS) {
 
 const levelsOf = (page) => page.levels.map((hundredths) => hundredths / 100);
 const minus = (text) => text.replace("-", "\u2212");
-const levelText = (db) => (db <= -199 ? "silent" : minus(db.toFixed(1)));
+const SILENT_DB = -199;
+const levelText = (db, unit = "") => (db <= SILENT_DB ? "silent" : minus(db.toFixed(1)) + unit);
 const numberText = (value) => minus(String(Number(value.toPrecision(3))));
+const endTexts = ([low, high], [least, most]) => [
+  `${least < low ? "\u2264 " : ""}${numberText(low)}`,
+  `${most > high ? "\u2265 " : ""}${numberText(high)}`];
+const reachOf = (levels) => [Math.min(...levels), Math.max(...levels)];
 const strongest = (values) => values.reduce((best, value, k) =>
   (Math.abs(value) > Math.abs(values[best]) ? k : best), 0);
 const loudest = (levels) => levels.reduce((best, db, k) => (db > levels[best] ? k : best), 0);
@@ -157,14 +172,16 @@ function pictureOf(map, values, [low, high], table) {
 // Returns a function from mm to pixels of a canvas that holds all of a map, and pixels per mm.
 function placing(map, width, height, below) {
   const [x0, y0, x1, y1] = map.bounds_mm;
-  const scale = Math.min((width - 8) / (x1 - x0), (height - 8 - below) / (y1 - y0));
+  const room = Math.min((width - 8) / (x1 - x0), (height - 8 - below) / (y1 - y0));
+  const scale = Math.max(room, 0);
   const left = (width - scale * (x1 - x0)) / 2;
   return [(x, y) => [left + scale * (x - x0), 4 + scale * (y1 - y)], scale];
 }
 
-function drawMap(canvas, map, values, range, kind, marks) {
+// A map with a bar of length has outputs that are ringed.
+function drawMap(canvas, map, values, range, kind, { noisy, inputs, outputs }) {
   const [pen, width, height] = cleared(canvas);
-  const [place, scale] = placing(map, width, height, marks ? BELOW_PX : 0);
+  const [place, scale] = placing(map, width, height, outputs ? BELOW_PX : 0);
   const outline = new Path2D();
   map.outline_mm.forEach(([x, y], k) => outline[k ? "lineTo" : "moveTo"](...place(x, y)));
   outline.closePath();
@@ -174,11 +191,10 @@ function drawMap(canvas, map, values, range, kind, marks) {
   pen.imageSmoothingQuality = "high";
   pen.drawImage(pictureOf(map, values, range, TABLES[kind]), left, top,
     scale * map.step_mm * map.columns, scale * map.step_mm * map.rows);
-  if (marks) hatch(pen, map, marks.noisy, place, scale);
+  hatch(pen, map, noisy, place, scale);
   pen.restore();
   pen.strokeStyle = colour("--dim");
   pen.stroke(outline);
-  if (!marks) return;
   const ring = (at, radius, style) => {
     if (at === null) return;
     pen.strokeStyle = style;
@@ -186,8 +202,8 @@ function drawMap(canvas, map, values, range, kind, marks) {
     pen.arc(...place(...at), radius, 0, 2 * Math.PI);
     pen.stroke();
   };
-  for (const [points, numbers, radius] of [[map.outputs_mm, marks.outputs, 4],
-    [map.inputs_mm, marks.inputs, 7]]) {
+  for (const [points, numbers, radius] of [[map.outputs_mm, outputs || [], 4],
+    [map.inputs_mm, inputs, outputs ? 7 : 4]]) {
     for (const number of numbers) {
       pen.lineWidth = 3.5;
       ring(points[number - 1], radius, "#ffffff");
@@ -195,6 +211,7 @@ function drawMap(canvas, map, values, range, kind, marks) {
       ring(points[number - 1], radius, "#1c1f23");
     }
   }
+  if (!outputs) return;
   pen.fillStyle = colour("--ink");
   pen.fillRect(width - 4 - 50 * scale, height - 6, 50 * scale, 2);
   pen.textAlign = "right";
@@ -242,7 +259,8 @@ function drawCurve(pen, curve, page, width, middle, half, style) {
 
 const STEPS_S = [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5];
 
-function drawTimes(pen, page, width, height) {
+// Lines at round times; a text below each where there is room for texts alone.
+function drawTimes(pen, page, width, height, texts) {
   const span = page.last_s - page.first_s;
   const step = STEPS_S.find((s) => span / s <= Math.max(width / 70, 2)) || 10;
   pen.fillStyle = colour("--dim");
@@ -252,68 +270,87 @@ function drawTimes(pen, page, width, height) {
     const x = (k * step - page.first_s) / span * width;
     pen.beginPath();
     pen.moveTo(x, 0);
-    pen.lineTo(x, height - 20);
+    pen.lineTo(x, texts ? 4 : height);
     pen.stroke();
+    if (!texts) continue;
     const text = step < 1 ? `${Math.round(1e3 * k * step)} ms` : `${k * step} s`;
     pen.textAlign = x < 24 ? "left" : x > width - 24 ? "right" : "center";
     pen.fillText(text, Math.min(Math.max(x, 0), width), height - 5);
   }
-  pen.textAlign = "left";
 }
 
-// Rows of curves above each other, each with a line of text.
-function drawRows(canvas, page, rows, rowPx) {
-  const [pen, width, height] = cleared(canvas, rows.length * rowPx + 20);
-  drawTimes(pen, page, width, height);
+// Curves above each other, each below its text.
+function drawRows(box, page, rows, rowPx) {
+  box.replaceChildren();
   rows.forEach((row, k) => {
-    const top = k * rowPx, style = row.pale ? colour("--dim") : CURVES[k % CURVES.length];
+    added(box, "p", row.text);
+    const canvas = added(box, "canvas", "");
+    canvas.setAttribute("aria-hidden", "true");
+    const [pen, width, height] = cleared(canvas, rowPx);
+    const style = row.pale ? colour("--dim") : CURVES[k % CURVES.length];
+    drawTimes(pen, page, width, height, false);
     for (const [begin, end] of row.spans || []) {
       const [a, b] = [begin, end].map((t) =>
         Math.min(Math.max((t - page.first_s) / (page.last_s - page.first_s), 0), 1) * width);
       pen.globalAlpha = 0.16;
       pen.fillStyle = style;
-      pen.fillRect(a, top + 18, Math.max(b - a, 2), rowPx - 22);
+      pen.fillRect(a, 0, Math.max(b - a, 2), height);
       pen.globalAlpha = 1;
     }
-    if (row.curve) drawCurve(pen, row.curve, page, width, top + 18 + (rowPx - 22) / 2,
-      (rowPx - 26) / 2, style);
-    pen.fillStyle = colour("--ink");
-    pen.fillText(row.text, 2, top + 13, width - 4);
+    if (row.curve) drawCurve(pen, row.curve, page, width, height / 2, height / 2 - 2, style);
   });
+  if (!rows.length) added(box, "p", "No inputs.");
+  const times = added(box, "canvas", "");
+  times.setAttribute("aria-hidden", "true");
+  const [pen, width, height] = cleared(times, 20);
+  drawTimes(pen, page, width, height, true);
 }
 
 // ---- the page ----
 
-let page = null, timeS = 0, slower = 1, playing = false, shownAt = 0, voice = null;
+let page = null, whole = false, timeS = 0, slower = 1, playing = false, shownAt = 0, voice = null;
 const mode = () => document.querySelector("input[name=mode]:checked").value;
 
 function shown() {
-  if (mode() === "levels") return [levelsOf(page), page.range_db, "levels", "dB re 1 m/s²"];
-  const { signed, limit, quantity } = page.field;
-  return [fieldAt(page, timeS), [signed ? -limit : 0, limit], signed ? "signed" : "magnitude",
-    quantity];
+  if (mode() === "levels") return [levelsOf(page), page.range_db, "levels"];
+  const { signed, limit } = page.field;
+  return [fieldAt(page, timeS), [signed ? -limit : 0, limit], signed ? "signed" : "magnitude"];
+}
+
+// What the colours mean: numbers at both ends, unit, and a sentence.
+function writeScale() {
+  const [values, range, kind] = shown(), { exceeded, quantity } = page.field;
+  const beyond = exceeded ? Infinity : 0;
+  const reached = kind === "levels" ? reachOf(values) : [kind === "signed" ? -beyond : 0, beyond];
+  const [low, high] = endTexts(range, reached);
+  const unit = kind === "levels" ? "dB re 1 m/s²" : quantity;
+  byId("low").textContent = low;
+  byId("high").textContent = high;
+  byId("unit").textContent = unit;
+  byId("meaning").textContent = kind === "levels"
+    ? `${page.levels_label}. ${MEANINGS.levels}` : MEANINGS[kind];
+  byId("colours").setAttribute("aria-label", `Colours from ${low} to ${high} ${unit}`);
+  drawBar(byId("colours"), kind);
 }
 
 const clockText = () => minus(`${(1e3 * timeS).toFixed(1)} ms`);
 const outputText = (k) => `output ${k + 1}, ${page.names[k]}`;
 
 function drawSkin() {
-  const [values, range, kind, unit] = shown();
+  const [values, range, kind] = shown();
   drawMap(byId("map"), page.maps[0], values, range, kind, page);
   const best = kind === "levels" ? loudest(values) : strongest(values);
   const at = kind === "levels" ? "Levels" : clockText();
-  const value = kind === "levels" ? `${levelText(values[best])} dB`
+  const rests = kind === "levels" ? values[best] <= SILENT_DB : values[best] === 0;
+  const value = kind === "levels" ? levelText(values[best], " dB")
     : `${numberText(values[best])} m/s²`;
-  const text = `${at}: strongest is ${outputText(best)}, ${value}`;
+  const text = `${at}: ${rests ? "nothing moves" : `strongest is ${outputText(best)}, ${value}`}`;
   byId("time").value = 1e3 * timeS;
   byId("clock").textContent = clockText();
   for (const cursor of document.querySelectorAll(".cursor:not(#heard)")) move(cursor, timeS);
   if (playing) return;
   byId("map").setAttribute("aria-label", `Skin map. ${text}`);
   byId("time").setAttribute("aria-valuetext", text);
-  [byId("low").textContent, byId("high").textContent] = range.map(numberText);
-  byId("unit").textContent = unit;
-  drawBar(byId("colours"), kind);
 }
 
 function move(cursor, seconds) {
@@ -330,8 +367,7 @@ function setPlaying(on) {
   playing = on;
   if (on) byId("modes").querySelector("[value=motion]").checked = true;
   byId("play").textContent = on ? "Pause" : "Play";
-  byId("play").setAttribute("aria-pressed", String(on));
-  drawBar(byId("colours"), shown()[2]);
+  writeScale();
   shownAt = performance.now();
   if (on) requestAnimationFrame(step);
   else drawSkin();
@@ -366,10 +402,8 @@ async function playSound() {
     context.close();
     byId("heard").hidden = true;
     byId("sound").textContent = "Play the drive";
-    byId("sound").setAttribute("aria-pressed", "false");
   };
   byId("sound").textContent = "Stop the drive";
-  byId("sound").setAttribute("aria-pressed", "true");
   byId("heard").hidden = false;
   const started = context.currentTime;
   voice.start();
@@ -391,8 +425,8 @@ function pointAt(event) {
     if (far < least) [best, least] = [k, far];
   });
   if (best < 0) return;
-  const text = outputText(best), level = levelText(page.levels[best] / 100);
-  byId("readout").textContent = `${text[0].toUpperCase()}${text.slice(1)}: level ${level} dB, `
+  const text = outputText(best), level = levelText(page.levels[best] / 100, " dB");
+  byId("readout").textContent = `${text[0].toUpperCase()}${text.slice(1)}: level ${level}, `
     + `at ${clockText()} ${numberText(fieldAt(page, timeS)[best])} m/s²`;
 }
 
@@ -408,22 +442,29 @@ function listed(id, texts) {
   for (const text of texts) added(byId(id), "li", text);
 }
 
-function writeTexts() {
+// What is read first.
+function writeHead() {
   document.title = page.title || "SkinSource design";
-  byId("title").textContent = page.title || "Design";
+  byId("title").textContent = page.title || "Vibration of the skin";
   byId("about").textContent = page.about;
   byId("synthetic").hidden = !page.synthetic;
+  byId("hatched").textContent = hatchedText([page]);
+}
+
+const hatchedText = (maps) => (maps.some((map) => map.noisy?.length) ? page.hatched : "");
+
+function writeTexts() {
   byId("notes").textContent = page.notes;
   byId("notes-part").hidden = !page.notes;
-  byId("hatched").textContent = page.hatched;
   listed("cautions", page.cautions);
   listed("details", page.details);
   listed("citation", page.citation);
   listed("clips", page.tracks.flatMap((track) => track.clips.length
-    ? track.clips.map((clip) => `${track.text}: ${clip.text}`) : [`${track.text}: no clips`]));
+    ? track.clips.map((clip) => `${track.name}: ${clip.text}`) : [`${track.name}: no clips`]));
   const levels = levelsOf(page), best = loudest(levels);
-  byId("strongest").textContent = `${page.levels_label}. Strongest: ${outputText(best)}, `
-    + `${levelText(levels[best])} dB re 1 m/s².`;
+  byId("strongest").textContent = `${page.levels_label}. `
+    + (levels[best] <= SILENT_DB ? "Nothing moves."
+      : `Strongest: ${outputText(best)}, ${levelText(levels[best], " dB re 1 m/s²")}.`);
   byId("levels-summary").textContent = `All ${levels.length} outputs`;
   const body = byId("levels").tBodies[0];
   body.replaceChildren();
@@ -436,60 +477,77 @@ function writeTexts() {
   });
   byId("traces-part").hidden = !page.traces.length;
   byId("traces-about").textContent = page.traces_about;
-  byId("traces").setAttribute("aria-label",
-    `Traces: ${page.traces.map((trace) => trace.text).join("; ")}`);
-  byId("timeline").setAttribute("aria-label",
-    `Timeline: ${page.tracks.map((track) => track.text).join("; ") || "no inputs"}`);
 }
 
 function writeSnapshots() {
   byId("snapshots-part").hidden = !page.snapshots.length;
   byId("snapshots").replaceChildren();
-  [byId("least").textContent, byId("most").textContent] = page.range_db.map(numberText);
+  const all = page.snapshots.flatMap((each) => (each.levels ? levelsOf(each) : []));
+  [byId("least").textContent, byId("most").textContent] = endTexts(page.range_db, reachOf(all));
+  byId("snapshots-hatched").textContent = hatchedText(page.snapshots);
   drawBar(byId("scale"), "levels");
+  const drawings = [];
   for (const snapshot of page.snapshots) {
     const figure = added(byId("snapshots"), "figure", "");
     const caption = added(figure, "figcaption", snapshot.title);
     added(caption, "span", snapshot.about);
     if (!snapshot.levels) continue;
     const levels = levelsOf(snapshot);
-    added(caption, "span", `loudest ${levelText(Math.max(...levels))} dB`);
+    const loudestText = levelText(Math.max(...levels), " dB");
+    added(caption, "span", `loudest ${loudestText}`);
     const canvas = added(figure, "canvas", "", caption);
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label",
-      `Skin map of ${snapshot.title}, loudest ${levelText(Math.max(...levels))} dB re 1 m/s²`);
-    drawMap(canvas, page.maps[snapshot.map], levels, page.range_db, "levels");
+    canvas.setAttribute("aria-label", `Skin map of ${snapshot.title}, loudest ${loudestText}`);
+    drawings.push([canvas, page.maps[snapshot.map], levels, page.range_db, "levels", snapshot]);
   }
+  // Each is as wide as all of them leave room for.
+  for (const drawing of drawings) drawMap(...drawing);
+}
+
+function drawFirst() {
+  writeScale();
+  drawSkin();
+}
+
+function drawRest() {
+  drawRows(byId("timeline"), page, page.tracks.map((track) => ({ ...track, pale: !track.audible,
+    spans: track.clips.map((clip) => clip.span_s) })), 34);
+  drawRows(byId("traces"), page, page.traces, 62);
+  writeSnapshots();
 }
 
 function drawAll() {
   if (!page) return;
-  drawSkin();
-  drawRows(byId("timeline"), page, page.tracks.map((track) => ({ ...track, pale: !track.audible,
-    spans: track.clips.map((clip) => clip.span_s) })), 56);
-  drawRows(byId("traces"), page, page.traces, 84);
-  writeSnapshots();
+  drawFirst();
+  if (whole) drawRest();
 }
 
 function writeSpeeds() {
   const speeds = byId("speed");
   speeds.replaceChildren();
   for (const factor of page.speeds) {
-    const first = factor === page.speeds[0] ? ", follows the waves" : "";
-    added(speeds, "option", `1/${numberText(factor)} of real time${first}`).value = factor;
+    const clearest = factor === page.clearest ? " (clearest)" : "";
+    added(speeds, "option", `1/${numberText(factor)} of real time${clearest}`).value = factor;
   }
-  [slower] = page.speeds;
+  slower = speeds.value = page.clearest;
 }
 
 // Shows another design; returns when all of it is drawn.
 async function showPage(data) {
-  page = await readPage(data);
+  whole = false;
+  page = await readFirst(data);
   [byId("time").min, byId("time").max] = [1e3 * page.first_s, 1e3 * page.last_s];
-  byId("sound").disabled = !page.sound;
   timeS = page.loop.loudest_s;
-  writeTexts();
+  writeHead();
   writeSpeeds();
-  drawAll();
+  drawFirst();
+  // All else waits until that is on the screen.
+  await new Promise((go) => { requestAnimationFrame(() => setTimeout(go)); });
+  page = await readRest(page);
+  whole = true;
+  byId("sound").disabled = !page.sound;
+  writeTexts();
+  drawRest();
 }
 
 function keyPressed(event) {
@@ -513,10 +571,13 @@ function connect() {
   byId("map").addEventListener("pointerdown", pointAt);
   document.addEventListener("keydown", keyPressed);
   for (const plot of document.querySelectorAll(".plot")) {
-    plot.addEventListener("pointerdown", (event) => {
-      const share = event.offsetX / plot.clientWidth;
-      goTo(page.first_s + share * (page.last_s - page.first_s));
-    });
+    const follow = (event) => {
+      if (!event.buttons) return;
+      const { left, width } = plot.getBoundingClientRect();
+      goTo(page.first_s + (event.clientX - left) / width * (page.last_s - page.first_s));
+    };
+    plot.addEventListener("pointerdown", follow);
+    plot.addEventListener("pointermove", follow);
   }
   window.addEventListener("resize", drawAll);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", drawAll);

@@ -30,6 +30,7 @@ from PySide6.QtSvg import QSvgGenerator
 
 from skinsource.base.errors import StorageError, sentence
 from skinsource.base.files import write_bytes
+from skinsource.design.comparing import common_title
 from skinsource.design.describing import stimulus_text
 from skinsource.design.design import Design
 from skinsource.design.labels import SCALINGS, label_of, limb_label
@@ -306,17 +307,6 @@ def stimuli_text(named: Sequence[Named]) -> str:
     if len(named) == 1:
         return stimulus_text(named[0][1])
     return ". ".join(f"{name}: {stimulus_text(design)}" for name, design in named)
-
-
-def common_title(titles: Sequence[str]) -> str:
-    """Return the leading parts, between middle dots, that all titles have in common; else ""."""
-    parts = [title.split(" · ") for title in titles]
-    common: list[str] = []
-    for column in zip(*parts, strict=False):
-        if len(set(column)) > 1:
-            break
-        common.append(column[0])
-    return " · ".join(common)
 
 
 # Height of the letters of a caption, as a part of the smaller side of the picture; their limits,

@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, QPoint, Qt, QTimer, Signal
 from skinsource.base.errors import counted
 from skinsource.design import edits
 from skinsource.design.edits.edit import Edit
-from skinsource.perception.validity import Finding, Findings
+from skinsource.perception.validity import Finding, Findings, noisy_outputs
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
@@ -249,7 +249,7 @@ class Conditions(QObject):
         self._judged = None if outcome is None else outcome.request.given
         # The design may have been edited since.
         self._follow()
-        self._noisy = next((finding.outputs for finding in findings if finding.name == "noise"), ())
+        self._noisy = noisy_outputs(findings)
         for panel in self._panels:
             self._tell(panel)
 

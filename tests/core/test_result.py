@@ -87,7 +87,8 @@ def test_a_notebook_shows_levels_as_a_map_and_the_strongest_outputs():
         assert picture.size == (columns, rows)
     loudest = int(np.argmax(result.values)) + 1
     assert f"<tr><td>{loudest}</td>" in html
-    assert len(html) < 200_000
+    assert len(html.encode()) < 200_000
+    assert "<li>Responses are computed from a model, not measured.</li>" in html
     assert "<script" not in html
     # Others say what they are.
     traces = ss.result(LOUDER, "selected_traces", view=VIEW)._repr_html_()

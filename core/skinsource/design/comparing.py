@@ -311,6 +311,27 @@ def stored_name(snapshots: Sequence[Snapshot], design: Design) -> str:
     return snapshot_name(shown.number) if shown and shown.number != EDITED else ""
 
 
+def common_title(titles: Sequence[str]) -> str:
+    """Return the leading parts, between middle dots, that all titles have in common; else ""."""
+    parts = [title.split(" · ") for title in titles]
+    common: list[str] = []
+    for column in zip(*parts, strict=False):
+        if len(set(column)) > 1:
+            break
+        common.append(column[0])
+    return " · ".join(common)
+
+
+def own_parts(titles: Sequence[str]) -> dict[str, str]:
+    """Return the part of each title that is its own: ``"50 Hz"`` of ``"Fig. 2B · 50 Hz"``.
+
+    The parts of a title are between middle dots; those at the beginning that all titles share are
+    left out.
+    """
+    common = common_title([title.rpartition(" · ")[0] for title in titles])
+    return {title: title.removeprefix(f"{common} · ") for title in titles}
+
+
 def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:
     """Say why `other_snapshot` returns None, and what the user can do."""
     if not snapshots:

@@ -38,8 +38,10 @@ def _lane(
         return elements
     size = float(np.abs(drive.samples).max())
     scale = _LANE_PX / (end_s * sample_rate_hz)
+    # Of two points in each pixel, whole pixels are enough.
+    digits = 1 if scale >= 1.0 else 0
     points = " ".join(
-        f"{left + x:.4g},{middle - 0.44 * _LANES_PX * y:.1f}"
+        f"{left + x:.{digits}f},{middle - 0.44 * _LANES_PX * y:.{digits}f}"
         for x, y in _outline(drive.samples / size, first * scale, scale)
     )
     line = f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1"/>'
@@ -49,7 +51,7 @@ def _lane(
 def _outline(samples: Floats, start: float, scale: float) -> list[tuple[float, float]]:
     """Return points of a curve; of samples in one pixel the lowest and the highest."""
     x = start + np.arange(samples.size) * scale
-    if scale >= 0.5:
+    if scale >= 1.0:
         return list(zip(x.tolist(), samples.tolist(), strict=True))
     first = np.flatnonzero(np.diff(np.floor(x), prepend=-1.0))
     low, high = np.minimum.reduceat(samples, first), np.maximum.reduceat(samples, first)
@@ -73,7 +75,8 @@ def _axis(top: float, end_s: float) -> list[str]:
     return [*elements, f'<text x="{_EDGE_PX}" y="{top + 13}" fill="{_DIM}">Time ({unit})</text>']
 
 
-_MOST_TRACKS, _MOST_CLIPS = 20, 40
+# With these the HTML takes less than 200 kB, whatever is played.
+_MOST_TRACKS, _MOST_CLIPS, _MOST_LETTERS = 20, 40, 200
 
 
 def html_of(design: Design) -> str:
@@ -90,7 +93,8 @@ def html_of(design: Design) -> str:
     # Drives are drawn at the sample rate of the limb.
     rate_hz = facts_of(design.limb).sample_rate_hz
     audible = audible_indices(design.inputs)
-    width = _LABEL_PX + _LANE_PX + 2 * _EDGE_PX
+    # At the right half of the last time has room.
+    width = _LABEL_PX + _LANE_PX + 3 * _EDGE_PX
     height = _LANES_PX * len(inputs) + _AXIS_PX + _EDGE_PX
     parts += [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
@@ -113,7 +117,7 @@ def _table(design: Design) -> str:
     ]
     cells = [
         f"<tr><td>{location}</td><td>{amplitude}</td><td>{1e3 * clip.onset_s:g} ms</td>"
-        f"<td>{escape(clip.waveform.title)}</td><td>{escape(str(clip.waveform))}</td></tr>"
+        f"<td>{escape(clip.waveform.title)}</td><td>{escape(_shortened(str(clip.waveform)))}</td></tr>"
         for location, amplitude, clip in rows[:_MOST_CLIPS]
     ]
     left_out = len(design.clips) - len(cells)
@@ -121,6 +125,10 @@ def _table(design: Design) -> str:
     heads = ("Place", "Amplitude", "Onset", "Waveform", "")
     head = "".join(f"<th>{title}</th>" for title in heads)
     return f"<table><tr>{head}</tr>{''.join(cells)}</table>{more}"
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) <= _MOST_LETTERS else f"{text[:_MOST_LETTERS]}…"
 
 
 def _place(location: int, limb: str) -> str:

@@ -10,6 +10,7 @@ from skinsource.engine.evaluation import evaluate
 from skinsource.export.result import Result
 from skinsource.export.tables import picture_of, write_png
 from skinsource.limbs.locations import output_name
+from skinsource.perception.validity import Judged, in_short
 from skinsource.signals.map_range import MAP_RANGE_DB
 
 _HEIGHT_PX, _MOST_ROWS = 420, 5
@@ -23,7 +24,7 @@ def html_of(result: Result) -> str:
     of_levels = tuple(result.axes) == ("n_outputs",) and result.unit.startswith("dB")
     if result.is_difference or not of_levels:
         return head
-    return head + _map(result) + _strongest(result)
+    return head + _map(result) + _strongest(result) + _cautions(result)
 
 
 def _map(result: Result) -> str:
@@ -48,3 +49,10 @@ def _strongest(result: Result) -> str:
     ]
     head = f"<tr><th>Output</th><th>Place</th><th>{escape(result.unit)}</th></tr>"
     return f"<table>{head}{''.join(rows)}</table>"
+
+
+def _cautions(result: Result) -> str:
+    """Return what a map is said with elsewhere, such as outputs that are mostly noise."""
+    found = evaluate(result.design, "validity", "limb_data", view=result.view)
+    judged = Judged(label="", note=found["limb_data"].note, findings=found["validity"])
+    return f"<ul>{''.join(f'<li>{escape(text)}</li>' for text in in_short([judged]))}</ul>"

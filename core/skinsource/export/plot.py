@@ -45,6 +45,7 @@ from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.limbs.surface.surface import surface_operator
 from skinsource.people import ranges
+from skinsource.perception.validity import noisy_outputs
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.windows import Windows
 from skinsource.signals.map_range import map_range_db
@@ -182,9 +183,7 @@ def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | N
             surface=results["surface"],
             values=results["output_levels_db"],
             places=tuple(places),
-            noisy=next(
-                finding.outputs for finding in results["validity"] if finding.name == "noise"
-            ),
+            noisy=noisy_outputs(results["validity"]),
         )
     if limb is None:
         raise InvalidInputError(

@@ -19,7 +19,7 @@ import zlib
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from math import ceil, floor
+from math import ceil, floor, inf
 from pathlib import Path
 
 import numpy as np
@@ -35,7 +35,8 @@ from skinsource.base.files import FilePath
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.json_text import Tree
 from skinsource.design.amplitudes import amplitude_text
-from skinsource.design.comparing import snapshot_name
+from skinsource.design.comparing import frequency_of, own_parts, snapshot_name, with_edited
+from skinsource.design.describing import clips_text
 from skinsource.design.design import (
     Design,
     Input,
@@ -46,7 +47,6 @@ from skinsource.design.design import (
     view_on,
 )
 from skinsource.design.labels import level_label, limb_label, signal_label
-from skinsource.engine.evaluation import evaluate
 from skinsource.engine.loops import animation_of, moving_name
 from skinsource.engine.time_rules import BLOCK_S, Moving, block_of
 from skinsource.export.exported_design import (
@@ -63,6 +63,7 @@ from skinsource.export.plot import (
     SHARE_OF_LARGEST,
     common_range,
     least_slow_motion,
+    levels_of,
 )
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
@@ -70,7 +71,7 @@ from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import axes_on
 from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.limbs.surface.surface import cached_surface_operator
-from skinsource.perception.validity import Judged, in_short
+from skinsource.perception.validity import Judged, in_short, noisy_outputs
 from skinsource.signals.projection import magnitude
 from skinsource.signals.resampling import by_ratio
 from skinsource.signals.sampling import REACH
@@ -207,17 +208,17 @@ def page_content(exported: ExportedDesign) -> Tree:
     times, played = _times(exported), _played(exported)
     maps: dict[str, Tree] = {design.limb: _map_of(limb, exported.value("surface"))}
     levels_db = values["output_levels_db"]
-    snapshots = [_snapshot(each, view, maps) for each in _compared(exported)]
+    snapshots = _snapshots(exported, maps)
     shown_db = [levels_db, *(np.array(s["levels"]) / 100 for s in snapshots if s.get("levels"))]
-    noisy = next((found.outputs for found in values["validity"] if found.name == "noise"), ())
     field = _field(exported, times)
     exported.progress(0, 0, "Computing")
     label = f"{level_label(view.span)}; {signal_label(view.axes, view.method)}"
     outputs = view.outputs[:_MOST_TRACES]
+    inputs = sorted({track.location for track in audible_inputs(design.inputs)})
     return {
         "title": design.title,
         "notes": design.notes,
-        "about": f"{limb_label(design.limb).title} · {field['quantity']}",
+        "about": _about(limb, inputs),
         "synthetic": limb.synthetic,
         "cautions": in_short([Judged(label="", note=limb.note, findings=values["validity"])]),
         "details": [
@@ -234,10 +235,10 @@ def page_content(exported: ExportedDesign) -> Tree:
         "levels_label": label,
         "range_db": common_range(*shown_db),
         "names": [output_name(number, design.limb).name for number in exported.all_outputs],
-        "noisy": noisy,
-        "hatched": f"{HATCHED}." if noisy else "",
+        "noisy": noisy_outputs(values["validity"]),
+        "hatched": f"{HATCHED}.",
         "outputs": outputs,
-        "inputs": sorted({track.location for track in audible_inputs(design.inputs)}),
+        "inputs": inputs,
         "maps": list(maps.values()),
         "traces": _traces(exported, outputs, times),
         "traces_about": _about_traces(limb, view),
@@ -354,15 +355,16 @@ def _field(exported: ExportedDesign, times: _Times) -> Tree:
     signals = moving.signals[..., first - moving.first : end - moving.first]
     values = signals[:, 0] if signed else magnitude(by_ratio(signals, Fraction(_FINER), rate_hz))
     largest = float(np.abs(values).max(initial=0.0)) or 1.0
-    share = values / largest
+    share, limit = values / largest, (moving.largest or 1.0) * SHARE_OF_LARGEST
     return {
         "signed": signed,
-        "quantity": "z (m/s²)" if signed else "magnitude (m/s²)",
+        "quantity": "m/s² normal to the skin" if signed else "m/s², length of the vector",
         "rate_hz": rate_hz * (1 if signed else _FINER),
         "first_s": first / rate_hz - before_s,
         "count": values.shape[1],
         "largest": largest,
-        "limit": (moving.largest or 1.0) * SHARE_OF_LARGEST,
+        "limit": limit,
+        "exceeded": bool(np.abs(values).max(initial=0.0) > limit),
         "values": _packed(
             np.rint(32767 * share).astype("<i2")
             if signed
@@ -372,7 +374,7 @@ def _field(exported: ExportedDesign, times: _Times) -> Tree:
 
 
 def _motion(exported: ExportedDesign, times: _Times, *, signed: bool) -> Tree:
-    """Return what is repeated, and speeds: the first is one at which the waves can be followed."""
+    """Return what is repeated, and speeds: at the clearest one the waves can be followed."""
     design, limb = exported.design, exported.limb
     seen = replace(exported.view, slow_motion=0.0, delay_removed=True)
     name = moving_name(design.limb)
@@ -396,7 +398,8 @@ def _motion(exported: ExportedDesign, times: _Times, *, signed: bool) -> Tree:
             "end_s": end_s,
             "loudest_s": (first + moving.first + int(loudest)) / rate_hz - before_s,
         },
-        "speeds": [ceil(slower), *(factor for factor in _SPEEDS if factor >= least)],
+        "clearest": ceil(slower),
+        "speeds": sorted({ceil(slower), *(factor for factor in _SPEEDS if factor >= least)}),
     }
 
 
@@ -451,6 +454,18 @@ def _traces(exported: ExportedDesign, outputs: Sequence[int], times: _Times) -> 
     return traces
 
 
+def _about(limb: Limb, inputs: Sequence[int]) -> str:
+    whose = limb_label(limb.name)
+    # The mark of a synthetic limb says that it is made up.
+    sentence = "" if limb.synthetic else f" {whose.sentence}"
+    driven = "the places with large rings are driven" if inputs else "nothing is driven"
+    drawn = " The hand shown is a drawing, not that person's." if _is_published(limb) else ""
+    return (
+        f"A prediction: how the skin of hand and arm vibrates while {driven}. "
+        f"Limb: {whose.title}.{sentence}{drawn}"
+    )
+
+
 def _passed_on(limb: Limb) -> str:
     if limb.synthetic:
         return "acceleration of all outputs in 16 bits"
@@ -473,9 +488,11 @@ def _track(exported: ExportedDesign, track: Input, played: _Played, times: _Time
     start, samples = played
     rate_hz, name = exported.sample_rate_hz, input_name(track.location, design.limb).name
     audible = track in audible_inputs(design.inputs)
-    text = f"Place {track.location}, {name}, {amplitude_text(design, track)}"
+    called = f"Place {track.location}, {name}, {amplitude_text(design, track)}"
+    called = called if audible else f"{called}, not heard"
     return {
-        "text": text if audible else f"{text}, not heard",
+        "name": called,
+        "text": f"{called}: {clips_text(track)}",
         "audible": audible,
         "curve": _curve(samples, start / rate_hz, rate_hz, times, hides=False),
         "clips": [
@@ -522,31 +539,53 @@ def _sound(exported: ExportedDesign, played: Sequence[_Played], times: _Times) -
 # ---- snapshots ----
 
 
-def _compared(exported: ExportedDesign) -> list[Snapshot]:
-    """Return the snapshots, and the design itself where it is none of them; none without any."""
+def _snapshots(exported: ExportedDesign, maps: dict[str, Tree]) -> list[Tree]:
+    """Return the snapshots beside the design, as in the window; their maps are added to ``maps``.
+
+    There are none without stored ones.
+    """
     design, stored = exported.design, exported.view.snapshots
     if not stored:
         return []
-    own = [] if shown_snapshot(stored, design) else [Snapshot(design=design, title="This design")]
-    return [*own, *sorted(stored, key=lambda snapshot: snapshot.number)]
+    beside = sorted(with_edited(stored, design), key=lambda snapshot: snapshot.number)
+    return [
+        {"title": name, **_map_of_levels(snapshot.design, exported.view, maps)}
+        for snapshot, name in zip(beside, _names(beside, design), strict=True)
+    ]
 
 
-def _snapshot(snapshot: Snapshot, view: View, maps: dict[str, Tree]) -> Tree:
-    """Return name and levels of a snapshot; its map is added to ``maps``."""
-    design = snapshot.design
-    title = snapshot.title or design.title or snapshot_name(snapshot.number).capitalize()
-    shown: Tree = {"title": title}
+def _names(beside: Sequence[Snapshot], shown: Design) -> list[str]:
+    """Return names of snapshots, with the part of the title that tells them, or the frequency."""
+    titles = [each.title or each.design.title for each in beside]
+    told = [
+        title if each.title or titles.count(title) == 1 else ""
+        for each, title in zip(beside, titles, strict=True)
+    ]
+    of_designs = [title for each, title in zip(beside, told, strict=True) if not each.title]
+    own = own_parts(list(filter(None, of_designs)))
+    known_hz = [frequency_of(each.design) for each in beside]
+    single = ["" if hz is None or hz == inf else f"{hz:g}\N{NO-BREAK SPACE}Hz" for hz in known_hz]
+    this, names = shown_snapshot(beside, shown), []
+    for each, title, hz in zip(beside, told, single, strict=True):
+        called = "This design" if each is this else snapshot_name(each.number).capitalize()
+        tells = own.get(title, title) or (hz if single.count(hz) == 1 else "")
+        names.append(" · ".join(filter(None, (called, tells))))
+    return names
+
+
+def _map_of_levels(design: Design, view: View, maps: dict[str, Tree]) -> Tree:
     view = replace(view_on(design.limb, view), axes=axes_on(design.limb, view.axes))
     try:
-        values = evaluate(design, "output_levels_db", "limb_data", "surface", view=view)
+        levels = levels_of(design, None, view)
     except SkinSourceError as error:
         # The limb may be missing here, or an input cannot be played.
-        return {**shown, "about": str(error)}
-    levels_db = values["output_levels_db"]
-    maps.setdefault(design.limb, _map_of(values["limb_data"], values["surface"]))
+        return {"about": str(error)}
+    if design.limb not in maps:
+        maps[design.limb] = _map_of(levels.limb, levels.surface)
     return {
-        **shown,
         "about": limb_label(design.limb).title,
-        "levels": _hundredths(levels_db),
+        "levels": _hundredths(levels.values),
+        "noisy": levels.noisy,
+        "inputs": levels.places,
         "map": list(maps).index(design.limb),
     }

@@ -307,6 +307,11 @@ def noise_findings(above_noise_db: Floats | None, *, synthetic: bool, silent: bo
     )
 
 
+def noisy_outputs(findings: Findings) -> tuple[int, ...]:
+    """Return the numbers of the outputs that are mostly noise: maps hatch them."""
+    return next((found.outputs for found in findings if found.name == "noise"), ())
+
+
 def setup_findings(
     *, synthetic: bool, scaling: Scaling, places: Sequence[int], note: str = ""
 ) -> Findings:

@@ -17,6 +17,7 @@ from skinsource.design.comparing import (
     difference_db,
     frequency_of,
     mean_and_spread_over,
+    own_parts,
     published_range_db,
     range_sentences,
     same_outputs,
@@ -44,7 +45,6 @@ from skinsource_gui.fields.units import output_text
 from skinsource_gui.panels.compare.card import told_titles
 from skinsource_gui.panels.compare.settings import MOTION, RANGE, SHOWN, CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
-from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import (
     SILENT,
     USUAL_STYLE,
@@ -827,7 +827,7 @@ def snapshot_names(
     names: list[Names] = []
     titles = told_titles(compared)
     figures = [titles.get(side.snapshot.number, "") for side in compared if not side.snapshot.title]
-    own_parts = _own_parts([each for each in figures if each])
+    own_of = own_parts([each for each in figures if each])
     several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
     for side in compared:
         along = axes_on(side.snapshot.design.limb, axes)
@@ -837,7 +837,7 @@ def snapshot_names(
         working = side.snapshot.number == EDITED
         called = _WORKING[0] if working else f"Snapshot {side.name}"
         title = titles.get(side.snapshot.number, "")
-        own = own_parts.get(title, title)
+        own = own_of.get(title, title)
         cut = own if len(own) <= _SHORT else f"{own[: _SHORT - 1].rstrip()}…"
         begun = (called, own), (side.name, own), (side.name, cut)
         longest = (own, own, cut) if working else tuple(" · ".join(parts) for parts in begun)
@@ -852,16 +852,6 @@ def snapshot_names(
 
 # A name with more letters is cut where a map has no room for it.
 _SHORT = 14
-
-
-def _own_parts(titles: Sequence[str]) -> dict[str, str]:
-    """Return the part of each title that is its own: ``"50 Hz"`` of ``"Fig. 2B · 50 Hz"``.
-
-    The parts of a title are between middle dots; those at the beginning that all titles share are
-    left out.
-    """
-    common = common_title([title.rpartition(" · ")[0] for title in titles])
-    return {title: title.removeprefix(f"{common} · ") for title in titles}
 
 
 #: The kinds by their names in the settings.

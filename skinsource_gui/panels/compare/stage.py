@@ -26,6 +26,7 @@ from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, amplitude_unit, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
+from skinsource.design.comparing import common_title
 from skinsource.design.design import AMPLITUDE_GAIN, EDITED, Design, Input, View
 from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import Edit, clip_of, leading_input
@@ -61,7 +62,6 @@ from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
 from skinsource_gui.plots.figure import Axis, Figure, shrunk
-from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.ranges import Tick, readable_ticks
 from skinsource_gui.plots.small_map import Range, offer_arm
 from skinsource_gui.qt.buttons import page_label

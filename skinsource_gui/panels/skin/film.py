@@ -21,7 +21,7 @@ from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.video import frames_per_s, video_file
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.perception.validity import Findings, Judged, in_short
+from skinsource.perception.validity import Findings, Judged, in_short, noisy_outputs
 from skinsource.specs import fields
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.panels.skin.content import (
@@ -390,7 +390,7 @@ class _Camera:
         self._options, self.size = options, frame_size(options)
         findings: Findings = exported.value("validity")
         self._caption = _caption_of(exported, findings)
-        self._noisy = next((found.outputs for found in findings if found.name == "noise"), ())
+        self._noisy = noisy_outputs(findings)
         self._family = QtGui.QGuiApplication.font().family()
         self._image = QtGui.QImage(*self.size, QtGui.QImage.Format.Format_RGB888)
         self._read_signals(exported.view)

@@ -59,13 +59,17 @@ def test_a_long_track_is_drawn_with_few_points_and_its_peaks():
     (points,) = curves_of(ss.Design(limb="synthetic-1", inputs=(ss.track(3, sweep),)))
     assert 500 < len(points) < 1000
     heights = [y for _, y in points]
-    assert max(heights) - min(heights) == pytest.approx(2 * 0.44 * 36, abs=0.3)
+    assert max(heights) - min(heights) == pytest.approx(2 * 0.44 * 36, abs=1.0)
 
 
-def test_many_long_tracks_take_less_than_200_kb():
-    noise = ss.waveforms.Noise(seed=1, duration_s=5.0)
-    many = ss.Design(limb="synthetic-1", inputs=tuple(ss.track(7, noise) for _ in range(30)))
-    assert 100_000 < len(many._repr_html_()) < 200_000
+# At most two samples in a pixel, and many.
+@pytest.mark.parametrize("duration_s", [0.3, 0.69, 5.0])
+def test_many_long_tracks_take_less_than_200_kb(duration_s):
+    noise = ss.waveforms.Noise(seed=1, duration_s=duration_s)
+    glide = ss.waveforms.Glide(points=tuple((1e-4 * k, 100.0 + k / 7, 0.5) for k in range(2000)))
+    clips = (ss.Clip(waveform=noise), ss.Clip(waveform=glide))
+    many = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=7, clips=clips),) * 30)
+    assert 100_000 < len(many._repr_html_().encode()) < 200_000
 
 
 def test_many_clips_are_counted_and_not_all_listed():
