@@ -202,9 +202,8 @@ def page() -> str:
     rows = []
     for name, rig in rigs.items():
         found = focus_trial(people, **rig)
-        persons = ", ".join(f"{value:.1f}" for value in np.median(found["own row"], axis=(1, 2)))
-        medians = [f"{np.median(found[column]):.1f}" for column in _COLUMNS]
-        rows.append(f"| {name} | {' | '.join([medians[0], persons, *medians[1:]])} |")
+        medians = (f"{np.median(found[column]):.1f}" for column in _COLUMNS[:-1])
+        rows.append(f"| {name} | {' | '.join(medians)} |")
     levels_db = octaves_of(people)
     carried_rows = []
     for count in (0, 1, 2, 4, 8, 12):
@@ -228,83 +227,117 @@ def page() -> str:
 _PAGE = """\
 # Another hand
 
-What three measured people say about a fourth one: `ss.people`. Made by
-`python benchmarks/people.py docs/people.md`; do not edit.
+You design on the hand of somebody who was measured, and your participant has another one. How much
+stronger or weaker is it there? And how does one place become strong on *that* hand? `ss.people`
+answers both.
 
-Each number is from the published limbs, with one person left out in turn: 4 people, {n} outputs of
-the hand. **Four people are no population.** They had one posture; 66 of 72 sensors lie on the back
-of hand and arm, so nothing is known of the skin of the palm; inputs were measured one at a time.
-Kernels, weights, β and margins were chosen on the same four people.
+## How far levels differ
 
-## One measured place in place of forty-two
+In the window, **View > Compare side by side** with *Limbs* and *Range* shows mean and both ends.
+In the first word above the skin map, *Range between people* shows the mean, with the ends under the
+pointer. In a script:
 
-`ss.people.focus(partial, target)` takes the row of responses at the target from the person, and
-the quiet matrix from the others. Contrast is the energy at the target over the mean of the other
-41 outputs, 30 to 300 Hz, natural spectrum, in dB: the median over people, targets and ten rigs. A
-rig has noise 20 dB under the row, gains wrong by up to 3 dB and delays by up to 0.1 ms, while it
-measures and plays. *Loudest other* is the target over the loudest other output. *Time reversal*
-needs the own row alone; *best single* is the input that is best on the others, *by hindsight* the
-one that is best on the person.
+```python
+import skinsource as ss
 
-| rig | own row | of each person | loudest other | time reversal | best single | by hindsight |
-|---|---|---|---|---|---|---|
-{focus}
+tone = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
+design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone),))
+others = ["synthetic-2", "synthetic-3", "synthetic-4"]  # left out: the four measured people
+found = ss.people.levels(design, limbs=others)
+print(f"output 29: {{found.low_db[28]:.1f}} to {{found.high_db[28]:.1f}} dB re 1 m/s²")
+```
 
-**Most of the gain is the measured row**: time reversal of it needs nobody else. Five finger pads
-gain nothing at 200 and 300 Hz. Some other output is about as loud as the target, and with few
-inputs louder. `unseen_contrast_db` says what to expect: in turn, one of the others is left out of
-the design.
+```text
+output 29: -13.5 to 2.6 dB re 1 m/s²
+```
 
-In the window, Play > Calibrate a person… leads there in the workspace Lab: mounting, two sweeps of
-each actuator, the focus, and whether it holds where the sensor lies and at two quiet places. Until
-then, and mounted anew, it is not verified. A stand-in person lets it be tried without hardware.
-What *Save…* writes, *Open person…* opens there, and `ss.people.open_partial` in a script, where
-`ss.people.focus` takes it. Opened from a file, a focus is not verified.
+`skinsource export --people` writes the range into the sidecar, and a [sweep](sweeps.md) with
+`people = true` into its table.
 
-A sensor on the wrong place costs all of it. `ss.people.likeliest_place` compares the octave levels
-of the row with those of the others. Of {n} outputs of each person it doubted, with the sensor where
-it should be: {alarms}; with the sensor on the nearest wrong place: {hits}.
+## A focus on one person, in three steps
 
-## Range between people
+You need a [rig](rigs.md) and an accelerometer of at most 0.5 g. To try it without both, choose
+*Stand-in person*. Open **Play > Calibrate a person…**
 
-`ss.people.levels(design)` gives the mean of the people and ±1.645 s √(1 + 1/n) for a person who
-was not measured; s² is the variance between the n people of what plays, pooled over the hand. It
-is a range between people, no confidence band: it held these shares of the levels from 20 places to
-{n} outputs.
+1. **Mounting.** Fix the actuators, and the sensor where the skin should be strong. Press *Start*.
+2. **Sweeps.** Each actuator plays two. *Repeat failed* measures again what was not accepted.
+   *Focus here* makes a design that is strong at the sensor and quiet elsewhere; what other places
+   do, it takes from the measured people.
+3. **Focus.** *Verify* plays it and compares the sensor with the prediction, there and at two quiet
+   places. Before that, and after mounting anew, the focus is not verified.
+
+*Save…* writes the person to a file. *Open person…* reads it, and so does a script:
+
+```python
+own = ss.people.partial("synthetic-1", [9])  # in place of ss.people.open_partial("p07.h5")
+focus = ss.people.focus(own, 9, others=others)
+design = focus.design(tone)
+print(f"looks like output {{ss.people.likeliest_place(own, 9, others)}}")
+```
+
+```text
+looks like output 9
+```
+
+A sensor on the wrong place costs all of the gain: `likeliest_place` says where it probably lies.
+
+Levels are known better with more places measured: `ss.people.levels(design, own=own)`.
+`ss.people.suggested_places` names the places that help most.
+
+## Numbers
+
+They are of the four measured people: each is left out in turn and predicted from the three others,
+at {n} outputs of the hand.
+
+**Levels.** The range is ±1.645 s √(1 + 1/n) around the mean of n people; s² is the variance between
+them, pooled over the hand. It is no confidence band. It held these shares of the levels, from 20
+places:
 
 {held}
 
-In the studio, Compare shows its ends and mean (*Limbs*, *Range*), and the skin map its mean, with
-the ends under the pointer (*Range between people*). `ss.plot.people` draws it; a sweep with
-`people = true` and a sidecar that was asked for it (`skinsource export --people`) hold it. The
-people are then the limbs of the design's kind: four measured ones, or four synthetic ones.
+**A focus from one place.** *Focus* is the energy at the target over the mean of the other 41
+outputs, *loudest other* over the loudest of them, in dB: 30 to 300 Hz, natural spectrum, medians
+over people, targets and ten rigs that are made up. Their noise is 20 dB below the responses, gains
+are wrong by up to 3 dB and delays by up to 0.1 ms. *Time reversal* knows the person alone, *best
+single* the others alone.
 
-## Some places measured
+| rig | focus | loudest other | time reversal | best single |
+|---|---|---|---|---|
+{focus}
 
-With `own`, what was measured of a person is carried to the rest of the hand by a Gaussian process,
-whose kernels come from the others alone. Errors of octave levels over the hand, 20 inputs:
+So most of the gain is what was measured of the person. Five finger pads gain nothing at 200 and
+300 Hz. Some other output is about as loud as the target, and with few inputs louder.
+
+**A sensor on the wrong place.** Of {n} sensors on each person, `likeliest_place` doubted {alarms}
+on the right place, and {hits} on the nearest wrong one.
+
+**More places measured.** Errors of octave levels over the hand, 20 inputs. A Gaussian process
+carries what was measured to the rest of the hand:
 
 | own places | rms, dB | 90 % within, dB | held of each person elsewhere, % |
 |---|---|---|---|
 {levels}
 
-`ss.people.suggested_places` names the places: the loudest, then always the most unlike those
-before it. Phases at places that were not measured cannot be predicted: there is no trace and no
-focus there.
+## Limits
+
+- **Four people are no population.** They had one posture, and inputs were measured one at a time.
+  Kernels, weights, β and margins were chosen on the same four people.
+- 66 of 72 sensors lie on the back of hand and arm: nothing is known of the skin of the palm.
+- Where nothing was measured of the person, phases cannot be predicted: there is no trace and no
+  focus.
 
 ## What is promised
 
 | what | leaving one person out |
 |---|---|
-| focus from one own row, 20 inputs, z | 11.5 dB or more, 3.5 dB over the best single |
+| focus from one place, 20 inputs, z | 11.5 dB or more, 3.5 dB over the best single |
 | the same, three axes | 9.5 dB or more |
 | the same, 8 inputs, z | 7 dB or more |
 | levels with 4, 8, 12 own places | at most 3.7, 3.3, 3.1 dB rms |
 
 They are medians over all people left out, and rms over all of them; no person is more than 1 dB
-below the first three.
-
-`tests/core/people/test_promises.py` holds them.
+below the first three. `tests/core/people/test_promises.py` holds them.
+`python benchmarks/people.py docs/people.md` writes this page.
 """
 
 

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QImage, QPixmap
+from PIL import Image, ImageQt
+from PySide6.QtGui import QPixmap
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from studio import settle, studio
@@ -24,7 +24,6 @@ from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.pages.importing.page import OverviewStrip
-from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.document import NEW_VIEW
 from skinsource_gui.state.preferences import start_design
@@ -112,25 +111,15 @@ def readme_picture(design: Design, view: View) -> None:
         settle(window)
         # Conditions are judged a moment later.
         QTest.qWait(1500)
-        with_few_colours(window.grab().toImage()).save(str(README_PICTURE), quality=0)
+        save_small(window.grab(), README_PICTURE)
         print(README_PICTURE)
 
 
-def with_few_colours(image: QImage) -> QImage:
-    """The image in 64 colours of its map and the 192 that it has most of: its file is small."""
-    image = image.convertToFormat(QImage.Format.Format_RGB32)
-    pixels = np.frombuffer(image.constBits(), np.uint32)
-    # Colours that nearly agree count as the same.
-    cells, which, counts = np.unique(
-        pixels & np.uint32(0xFFF8F8F8), return_inverse=True, return_counts=True
-    )
-    first = np.zeros(cells.size, np.uint32)
-    first[which] = pixels
-    common = first[np.argsort(-counts)[:192]]
-    table = [int(colour) for colour in (*colour_table()[::4], *common)]
-    return image.convertToFormat(
-        QImage.Format.Format_Indexed8, table, Qt.ImageConversionFlag.AvoidDither
-    )
+def save_small(picture: QPixmap, path: Path) -> None:
+    """Write a picture in the 256 colours that are nearest to all of its own: its file is small."""
+    image = ImageQt.fromqpixmap(picture).convert("RGB")
+    few = image.quantize(256, kmeans=4, dither=Image.Dither.NONE)
+    few.save(path, optimize=True)
 
 
 def photograph(

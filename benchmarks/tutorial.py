@@ -11,7 +11,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from pictures import with_few_colours
+from pictures import save_small
 from PIL import Image
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
@@ -74,8 +74,7 @@ class Reader:
         """Keep a picture of the window, or of a page."""
         QTest.qWait(JUDGED_MS)
         settle(self.window)
-        image = (widget or self.window).grab().toImage()
-        with_few_colours(image).save(str(self._pictures / f"window-{name}.png"), quality=0)
+        save_small((widget or self.window).grab(), self._pictures / f"window-{name}.png")
 
 
 def follow(you: Reader) -> None:

@@ -60,6 +60,8 @@ html_theme = "pydata_sphinx_theme"
 html_title = "SkinSource studio"
 html_show_sourcelink = False
 html_copy_source = False
+# The list of pages, the search and the pages of the library lead to every name.
+html_use_index = html_domain_indices = False
 html_sidebars = {"**": ["all-pages"]}
 html_theme_options = {
     "navbar_center": [],

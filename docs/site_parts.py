@@ -6,7 +6,6 @@ from typing import Any
 
 from docutils import nodes
 from docutils.utils.math.latex2mathml import tex2mathml
-from pygments.lexers.special import TextLexer
 from sphinx.application import Sphinx
 from sphinx_gallery.scrapers import figure_rst
 
@@ -15,8 +14,6 @@ DOTS_PER_INCH = 130
 
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register formulas as MathML, which browsers draw themselves, without a network."""
-    # Drawings of the graph, which this site shows as text.
-    app.add_lexer("mermaid", TextLexer)
     app.connect("autodoc-process-docstring", _keep_bars)
     app.add_html_math_renderer("mathml", (_draw_inline, None), (_draw_block, None))
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,4 +1,4 @@
-"""The graph of quantities: what runs, what is remembered and refused, and how it is drawn."""
+"""The graph of quantities: what runs, what is remembered and refused, and its tables."""
 
 import weakref
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.graph_drawing import updated
+from benchmarks.graph_tables import updated
 from skinsource.engine.graph import Graph
 
 
@@ -155,5 +155,5 @@ def test_the_document_shows_the_graph_as_it_is():
     text = DOCUMENT.read_text(encoding="utf-8")
     assert updated(text) == text, (
         "docs/internals/rendering.md shows another graph; run "
-        "python benchmarks/graph_drawing.py docs/internals/rendering.md"
+        "python benchmarks/graph_tables.py docs/internals/rendering.md"
     )

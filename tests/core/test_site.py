@@ -5,6 +5,7 @@ import io
 import re
 import runpy
 import shlex
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -17,6 +18,9 @@ ROOT = Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 #: Also within lists.
 FENCED = re.compile(r"^ *```(\S*)\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
+#: Code that Markdown knows by its blanks.
+INDENTED = re.compile(r"\n\n {4}\S.*")
+MENU = re.compile(r"\b(File|Edit|Clip|View|Play|Help) > (.{,60})")
 #: Its own test gives it a sound card: tests/core/playing/test_playing_page.py.
 NEEDS_A_CARD = "playing"
 CODE = re.compile(r"^ *```(?:python|sh|toml)\n", re.MULTILINE)
@@ -24,9 +28,9 @@ WITH_CODE = [
     page for page in PAGES if page.stem != NEEDS_A_CARD and CODE.search(page.read_text("utf-8"))
 ]
 EXAMPLES = sorted((ROOT / "examples" / "gallery").glob("plot_*.py"))
-#: Drawings of the graph, and parts of the site.
-NOT_CODE = "mermaid", "{toctree}", "{include}"
-#: What begins a command that changes the machine: packages/CI try them.
+#: Parts of the site.
+NOT_CODE = "{toctree}", "{include}"
+#: What begins a command that changes the machine, or needs a card: other tests try them.
 INSTALLING = (
     "make ",
     "cp ",
@@ -38,6 +42,7 @@ INSTALLING = (
     "uv ",
     "sudo ",
     "dask ",
+    "python play.py ",
     "skinsource-gui",
 )
 
@@ -83,6 +88,23 @@ def test_the_code_of_a_page_runs_and_prints_what_the_page_says(page, tmp_path, m
         elif language not in NOT_CODE:
             assert language in ("python", "toml", "sh", "bat"), f"of no language: {code}"
             printed = run(language, code, values)
+
+
+def test_code_stands_between_fences_so_that_it_is_tried():
+    for page in PAGES:
+        assert not INDENTED.findall(FENCED.sub("", page.read_text("utf-8"))), page
+
+
+def test_a_menu_that_a_page_names_is_in_the_window():
+    menus = tomllib.loads((ROOT / "resources" / "actions.toml").read_text("utf-8"))
+    entries = {
+        menu: ("Panels", *(each["text"].partition("{")[0].rstrip("…") for each in actions.values()))
+        for menu, actions in menus.items()
+    }
+    for page in PAGES:
+        text = " ".join(page.read_text("utf-8").replace("*", "").split())
+        for menu, entry in MENU.findall(text):
+            assert entry.startswith(entries[menu]), f"{page.stem}: {menu} > {entry}"
 
 
 def test_each_public_name_stands_on_a_page_of_the_library():

@@ -1,6 +1,9 @@
-"""What the page on experiments says is true."""
+"""What the pages on experiments say is true."""
 
 import re
+import runpy
+import shlex
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -34,3 +37,19 @@ def test_its_scripts_run(monkeypatch, capsys):
     scope["player"].close()
     assert "estimated" in capsys.readouterr().out
     assert scope["player"].loopback_s == scope["found"].behind_s
+
+
+def test_the_lines_that_play_its_folder_run(monkeypatch, tmp_path, capsys):
+    page = PAGE.with_name("psychopy.md").read_text(encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    card = Card(UMC404=4)
+    use(monkeypatch, card, ("playing.devices", "playing.stream", "rig_measuring.duplex"))
+    monkeypatch.setitem(sys.modules, "sounddevice", card)
+    scope: dict = {}
+    for script in re.findall(r"```python\n(.*?)```", page, re.DOTALL):
+        exec(compile(script, "psychopy.md", "exec"), scope)  # noqa: S102  our own page
+    player = runpy.run_path("experiment/play.py")
+    for line in re.findall(r"^python play\.py (.*)$", page, re.MULTILINE):
+        player["main"](shlex.split(line, comments=True))
+    assert "UMC404" in capsys.readouterr().out
+    assert len(Path("experiment/log.csv").read_text("utf-8").splitlines()) == 4

@@ -1,8 +1,8 @@
-"""Drawings of the graph of quantities for documents, made from the rules.
+"""Tables of the graph of quantities for documents, made from the rules.
 
 To update those of a document:
 
-    python benchmarks/graph_drawing.py docs/internals/rendering.md
+    python benchmarks/graph_tables.py docs/internals/rendering.md
 """
 
 import inspect
@@ -14,8 +14,8 @@ from pathlib import Path
 from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import new_graph
 
-# A drawing in a document, between two lines of comments.
-_MARKED = re.compile(r"(<!-- drawn: ([\w ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
+# A table in a document, between two lines of comments.
+_MARKED = re.compile(r"(<!-- rules: ([\w ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
 def rules_of(graph: Graph, quantities: Iterable[str]) -> tuple[str, ...]:
@@ -33,29 +33,22 @@ def rules_of(graph: Graph, quantities: Iterable[str]) -> tuple[str, ...]:
     return tuple(names)
 
 
-def drawing(graph: Graph, names: Iterable[str]) -> str:
-    """Return a Mermaid flowchart of some rules; quantities of other rules have round ends."""
-    names = tuple(names)
-    others = dict.fromkeys(
-        need for name in names for need in graph.needs_of(name) if need not in names
-    )
-    arrows = [f"    {need} --> {name}" for name in names for need in graph.needs_of(name)]
-    lines = [*(f"    {name}([{name}])" for name in others), *(f"    {name}" for name in names)]
-    return "\n".join(["```mermaid", "flowchart TD", *lines, *arrows, "```"])
-
-
 def table(graph: Graph, names: Iterable[str]) -> str:
-    """Return a table of rules with the first lines of their docstrings."""
-    rows = [f"| `{name}` | {_first_line(graph, name)} |" for name in names]
-    return "\n".join(["| quantity | what it is |", "|---|---|", *rows])
+    """Return a table of rules with what they need, and the first lines of their docstrings."""
+    rows = (
+        f"| `{name}` | {', '.join(f'`{need}`' for need in graph.needs_of(name))} "
+        f"| {_first_line(graph, name)} |"
+        for name in names
+    )
+    return "\n".join(["| quantity | needs | what it is |", "|---|---|---|", *rows])
 
 
 def updated(document: str) -> str:
-    """Return the document with its drawings made again.
+    """Return the document with its tables made again.
 
-    A drawing stands between ``<!-- drawn: WORDS -->`` and ``<!-- end -->``.  The words are rules,
-    and modules: of a module all rules are drawn that no drawing names and that lead to a painted
-    map, traces or spectra.
+    A table stands between ``<!-- rules: WORDS -->`` and ``<!-- end -->``.  The words are rules, and
+    modules: of a module all rules are shown that no table names and that lead to a painted map,
+    traces or spectra.
     """
     graph = new_graph()
     ends = "surface_levels_db", "selected_extremes", "selected_spectra", "trace_error"
@@ -63,16 +56,16 @@ def updated(document: str) -> str:
 
     named = {word for match in _MARKED.finditer(document) for word in match[2].split()}
 
-    def drawn(match: re.Match[str]) -> str:
+    def made(match: re.Match[str]) -> str:
         words = match[2].split()
         names = [
             name
             for name in ordered
             if name in words or (name not in named and _module(graph, name) in words)
         ]
-        return f"{match[1]}{drawing(graph, names)}\n\n{table(graph, names)}\n{match[3]}"
+        return f"{match[1]}{table(graph, names)}\n{match[3]}"
 
-    return _MARKED.sub(drawn, document)
+    return _MARKED.sub(made, document)
 
 
 def _module(graph: Graph, name: str) -> str:
