@@ -1,8 +1,9 @@
 """Build what is released into ``dist`` and check it: ``make release``.
 
-Wheel and source archive are built, their pages checked (twine), the wheel installed in an empty
-environment: there the studio renders its window without a screen, and the README's script and
-export run.  ``SHA256SUMS`` comes last.
+The conda recipe is read by rattler-build, the citation by cffconvert.  Wheel and
+source archive are built, their pages checked (twine), the wheel installed in an empty environment:
+there the studio renders its window without a screen, and the README's script and export run.
+``SHA256SUMS`` comes last.
 """
 
 import hashlib
@@ -13,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import venv
+from importlib import import_module
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -23,6 +25,9 @@ VERSION = runpy.run_path(str(ROOT / "core/skinsource/version.py"))["__version__"
 def main() -> None:
     """Build and check; end with the first failure."""
     check_versions()
+    check_recipe()
+    uv = import_module("uv").find_uv_bin()
+    run(uv, "tool", "run", "cffconvert", "--validate", "-i", "CITATION.cff")
     shutil.rmtree(DIST, ignore_errors=True)
     run(sys.executable, "-m", "build", "--outdir", DIST, ROOT)
     files = sorted(DIST.iterdir())
@@ -48,6 +53,14 @@ def check_versions() -> None:
     for name, versions in named.items():
         if versions != [VERSION]:
             sys.exit(f"{name} names the versions {versions}, expected [{VERSION!r}]. Change it.")
+
+
+def check_recipe() -> None:
+    """Have rattler-build, which would build it, read and complete the conda recipe."""
+    rattler = import_module("rattler_build")
+    recipe = rattler.Stage0Recipe.from_file(ROOT / "packaging/conda/recipe.yaml")
+    (variant,) = recipe.render(rattler.VariantConfig())
+    sys.stdout.write(f"{variant}\n")
 
 
 def try_wheel(wheel: Path, folder: Path) -> None:

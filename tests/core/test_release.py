@@ -13,7 +13,7 @@ import pytest
 import skinsource as ss
 
 ROOT = Path(__file__).resolve().parents[2]
-SYSTEMS = ("x86_64-pc-windows-msvc", "aarch64-apple-darwin")
+SYSTEMS = ("x86_64-pc-windows-msvc", "aarch64-apple-darwin", "x86_64-apple-darwin")
 
 
 def lines_of(name):
