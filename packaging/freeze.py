@@ -14,6 +14,8 @@ import time
 import venv
 from pathlib import Path
 
+from uv import find_uv_bin
+
 ROOT = Path(__file__).resolve().parents[1]
 WORK = ROOT / "build/frozen"
 FOLDER = WORK / "skinsource"
@@ -61,10 +63,11 @@ def main() -> None:
     shutil.rmtree(WORK, ignore_errors=True)
     run(sys.executable, "-m", "build", "--wheel", "--outdir", WORK / "wheel", ROOT)
     (wheel,) = (WORK / "wheel").glob("*.whl")
-    venv.create(WORK / "venv", with_pip=True)
+    venv.create(WORK / "venv")
     scripts = WORK / "venv" / ("Scripts" if sys.platform == "win32" else "bin")
     python = scripts / "python"
-    run(python, "-m", "pip", "install", "--quiet", f"{wheel}[{EXTRAS}]", *OTHERS)
+    installing = (find_uv_bin(), "pip", "install", "--quiet", "--python", python)
+    run(*installing, f"{wheel}[{EXTRAS}]", *OTHERS)
     leave_out(python)
     run(
         *(scripts / "pyinstaller", "--noconfirm", "--log-level", "WARN"),

@@ -17,6 +17,8 @@ import venv
 from importlib import import_module
 from pathlib import Path
 
+from uv import find_uv_bin
+
 ROOT = Path(__file__).resolve().parents[1]
 DIST = ROOT / "dist"
 VERSION = runpy.run_path(str(ROOT / "core/skinsource/version.py"))["__version__"]
@@ -26,8 +28,7 @@ def main() -> None:
     """Build and check; end with the first failure."""
     check_versions()
     check_recipe()
-    uv = import_module("uv").find_uv_bin()
-    run(uv, "tool", "run", "cffconvert", "--validate", "-i", "CITATION.cff")
+    run(find_uv_bin(), "tool", "run", "cffconvert", "--validate", "-i", "CITATION.cff")
     shutil.rmtree(DIST, ignore_errors=True)
     run(sys.executable, "-m", "build", "--outdir", DIST, ROOT)
     files = sorted(DIST.iterdir())
@@ -65,10 +66,10 @@ def check_recipe() -> None:
 
 def try_wheel(wheel: Path, folder: Path) -> None:
     """Install the wheel where nothing else is, and use it from a folder that holds nothing."""
-    venv.create(folder / "venv", with_pip=True)
+    venv.create(folder / "venv")
     scripts = folder / "venv" / ("Scripts" if sys.platform == "win32" else "bin")
     python = scripts / "python"
-    run(python, "-m", "pip", "install", "--quiet", f"{wheel}[all]")
+    run(find_uv_bin(), "pip", "install", "--quiet", "--python", python, f"{wheel}[all]")
     used = folder / "used"
     used.mkdir()
     run(scripts / "skinsource-gui", "--render", used / "rendered", folder=used)

@@ -1,4 +1,4 @@
-#!/bin/sh
+-c "$(cat help.py)"#!/bin/sh
 # Tries the self-contained folder on a Debian that has no Python, in a root of its own; needs root and
 # debootstrap:  packaging/try_in_empty_root.sh build/frozen/skinsource [ROOT]
 set -eu
@@ -20,10 +20,12 @@ cd "$HOME"
 skinsource doctor
 skinsource scenes 2F --out scene.skinsource
 skinsource export scene.skinsource --format wav --rate 48000 --out drive.wav
-skinsource film scene.skinsource --out wave.mp4 && ls -l wave.mp4
+skinsource film scene.skinsource --out wave.mp4
+ls -l wave.mp4
 skinsource share scene.skinsource --out page.html
 printf 'designs = ["scene.skinsource"]\n[vary]\namplitude = [1, 2]\n' >sweep.toml
-skinsource sweep sweep.toml --out swept && cat swept/stimuli.csv
+skinsource sweep sweep.toml --out swept
+cat swept/stimuli.csv
 ls /studio/docs/index.html /studio/examples
 cat >try.py <<'PYTHON'
 from pathlib import Path
@@ -36,7 +38,9 @@ PYTHON
 skinsource-process -c "$(cat try.py)"
 Xvfb :9 -screen 0 1600x1000x24 >/dev/null 2>&1 &
 screen=$!
+trap 'kill $screen' EXIT
 export DISPLAY=:9
+until xwininfo -root >/dev/null 2>&1; do kill -0 $screen; done
 begun=$(date +%s%N)
 skinsource-gui scene.skinsource &
 studio=$!
@@ -47,15 +51,16 @@ kill $studio
 printf '#!/bin/sh\necho "$1" "libraries: $LD_LIBRARY_PATH" >"%s/opened"\n' "$HOME" >xdg-open
 chmod +x xdg-open
 cat >help.py <<'PYTHON'
+import os
 from skinsource_gui.app.app import make_application, make_window
 from skinsource_gui.state.preferences import Preferences, settings_path
 application = make_application()
 window = make_window(None, Preferences(settings_path()))
 window.show()
 window.do("show_manual")
+os._exit(0)
 PYTHON
 skinsource-process -c "$(cat help.py)" || true
 cat opened
-kill $screen
 TRY
 env -i PATH="$PATH" chroot "$root" /bin/sh /try.sh
