@@ -71,5 +71,5 @@ def test_libraries_that_the_system_lacks_are_those_of_the_folder(frozen, tmp_pat
 
 
 def test_where_no_package_can_be_added_another_installation_is_named(frozen):
-    wheel = f"skinsource-{__version__}-py3-none-any.whl[all,cluster]"
+    wheel = f"./skinsource-{__version__}-py3-none-any.whl[all,cluster]"
     assert extras.extra_line("cluster") == f'pipx install "{wheel}"'

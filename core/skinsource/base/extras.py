@@ -15,7 +15,7 @@ def extra_line(extra: str) -> str:
     """Return the line to type to install an extra, for a checkout or an installed package."""
     if getattr(sys, "frozen", False):
         # The self-contained folder takes no more packages.
-        return f'pipx install "skinsource-{__version__}-py3-none-any.whl[all,{extra}]"'
+        return f'pipx install "./skinsource-{__version__}-py3-none-any.whl[all,{extra}]"'
     checkout = Path(__file__).resolve().parents[3]
     requirement = f'"skinsource[{extra}]"'
     if (checkout / "pyproject.toml").is_file():
