@@ -61,10 +61,10 @@ faults: .venv/ready-to-test  ## do the tests still notice the faults that they n
 growth: .venv/ready-to-test  ## how cost grows with length, inputs and outputs: build/growth
 	$(BIN)/python benchmarks/growth.py
 
-frozen: .venv/ready-to-test  ## the studio as a folder that needs no Python: build/frozen (10 minutes)
+frozen: docs .venv/ready-to-test  ## the studio as a folder that needs no Python: build/frozen (10 minutes)
 	$(BIN)/python packaging/freeze.py
 
-release: .venv/ready-to-test  ## build and check what is released, with checksums: dist
+release: docs .venv/ready-to-test  ## build and check what is released, with checksums: dist
 	$(BIN)/python -m pip install --quiet --group release
 	$(BIN)/python packaging/release.py
 

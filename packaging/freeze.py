@@ -1,10 +1,12 @@
 """Build the studio as a folder that needs no Python: ``make frozen``.
 
-It lies in ``build/frozen/skinsource``, for the system it is built on, with docs and examples, and
-with ``licences`` of all that it carries.  Printed are its size, how long it takes to start, and
-those licences.
+It lies in ``build/frozen/skinsource``, and packed beside it, for the system it is built on, with
+docs, examples and ``licences`` of all that it carries.  Printed are its size, how long it takes to
+start, and those licences.
 """
 
+import platform
+import runpy
 import shutil
 import subprocess
 import sys
@@ -12,9 +14,24 @@ import time
 import venv
 from pathlib import Path
 
+from uv import find_uv_bin
+
 ROOT = Path(__file__).resolve().parents[1]
 WORK = ROOT / "build/frozen"
 FOLDER = WORK / "skinsource"
+VERSION = runpy.run_path(str(ROOT / "core/skinsource/version.py"))["__version__"]
+SYSTEM = f"{platform.system()} {platform.machine()}"
+#: All but Parquet: Arrow takes 160 MB, and only writes tables of sweeps.
+EXTRAS = "gui,audio,lsl,dataset,pandas,plot,video"
+#: ffmpeg of later ones is twice as large; it reads nothing but our own frames.
+OTHERS = ("pyinstaller>=6.22", "imageio-ffmpeg==0.6.0")
+#: Parts of Qt that PyInstaller takes along and nothing of ours loads: GTK's theme with forty
+#: libraries of the system, screens without a desktop, networks, texts in other languages.
+UNUSED = (
+    *("platformthemes/*gtk3*", "egldeviceintegrations", "generic", "networkinformation", "tls"),
+    *(f"platforms/*{name}*" for name in ("eglfs", "linuxfb", "minimalegl", "vkkhr", "vnc")),
+    "translations",
+)
 #: Run in the environment of the build: its packages, with texts of their licences.
 LICENCES = r"""
 import re, shutil, sys
@@ -46,26 +63,52 @@ def main() -> None:
     shutil.rmtree(WORK, ignore_errors=True)
     run(sys.executable, "-m", "build", "--wheel", "--outdir", WORK / "wheel", ROOT)
     (wheel,) = (WORK / "wheel").glob("*.whl")
-    venv.create(WORK / "venv", with_pip=True)
+    venv.create(WORK / "venv")
     scripts = WORK / "venv" / ("Scripts" if sys.platform == "win32" else "bin")
-    run(scripts / "python", "-m", "pip", "install", "--quiet", f"{wheel}[all]", "pyinstaller>=6.22")
+    python = scripts / "python"
+    installing = (find_uv_bin(), "pip", "install", "--quiet", "--python", python)
+    run(*installing, f"{wheel}[{EXTRAS}]", *OTHERS)
+    leave_out(python)
     run(
         *(scripts / "pyinstaller", "--noconfirm", "--log-level", "WARN"),
         *("--distpath", WORK, "--workpath", WORK / "work", ROOT / "packaging/skinsource.spec"),
     )
     shutil.copytree(ROOT / "examples", FOLDER / "examples")
-    manual = FOLDER / "_internal/skinsource/_manual"
-    shutil.copytree(manual / "docs", FOLDER / "docs")
-    shutil.copy(manual / "README.md", FOLDER)
-    write_licences(scripts / "python")
+    shutil.copytree(FOLDER / "_internal/skinsource/_manual", FOLDER / "docs")
+    for part in ("applications", "icons", "mime"):
+        shutil.copytree(WORK / "venv/share" / part, FOLDER / "share" / part)
+    write_readme()
+    write_licences(python)
+    name = f"skinsource-{VERSION}-{SYSTEM}".replace(" ", "-").lower()
+    kind = "zip" if sys.platform == "win32" else "gztar"
+    packed = Path(shutil.make_archive(str(WORK / name), kind, WORK, FOLDER.name))
     size = sum(file.stat().st_size for file in FOLDER.rglob("*") if not file.is_symlink())
     sys.stdout.write((FOLDER / "licences/LICENCES.txt").read_text(encoding="utf-8"))
     begun_s = time.perf_counter()
     run(FOLDER / "skinsource", "--version")
     sys.stdout.write(
-        f"{FOLDER}: {size / 1e6:.0f} MB; the command starts in "
-        f"{time.perf_counter() - begun_s:.1f} s\n"
+        f"{FOLDER}: {size / 1e6:.0f} MB, packed {packed.stat().st_size / 1e6:.0f} MB; "
+        f"the command starts in {time.perf_counter() - begun_s:.1f} s\n"
     )
+
+
+def leave_out(python: Path) -> None:
+    """Remove what the folder does not need from the environment of the build."""
+    qt = Path(output(python, "-c", "import PySide6; print(*PySide6.__path__)").strip())
+    for found in [path for pattern in UNUSED for path in qt.rglob(pattern)]:
+        if found.is_dir():
+            shutil.rmtree(found)
+        else:
+            found.unlink(missing_ok=True)
+
+
+def write_readme() -> None:
+    """Write what a user reads first."""
+    libc = " ".join(platform.libc_ver()).strip()
+    system = f"{SYSTEM} with {libc} or newer" if libc else SYSTEM
+    text = (ROOT / "packaging/folder.txt").read_text(encoding="utf-8")
+    text = text.format(version=VERSION, system=system)
+    (FOLDER / "README.txt").write_text(text, encoding="utf-8")
 
 
 def write_licences(python: Path) -> None:

@@ -6,6 +6,7 @@ files and measurements of a sweep, is asked for as ``python -m MODULE`` or ``pyt
 is no Python on the machine, so the third program answers in its place.
 """
 
+import ctypes.util
 import multiprocessing
 import os
 import runpy
@@ -21,6 +22,7 @@ def main() -> None:
     """Be the program that was started."""
     program = Path(sys.executable)
     be_without_python(program.with_name(_PROCESS + program.suffix))
+    find_libraries_in(program.with_name("_internal"))
     if program.stem == _PROCESS:
         answer_for_python(sys.argv[1:])
     else:
@@ -34,6 +36,17 @@ def be_without_python(process: Path) -> None:
     multiprocessing.set_executable(sys.executable)
     if "LD_LIBRARY_PATH" in os.environ:
         os.environ["LD_LIBRARY_PATH"] = os.environ.pop("LD_LIBRARY_PATH_ORIG", "")
+
+
+def find_libraries_in(folder: Path) -> None:
+    """Have packages that ask for a library of the system find that of the folder in its absence."""
+    of_system = ctypes.util.find_library
+
+    def find_library(name: str) -> str | None:
+        own = map(str, folder.glob(f"lib{name}.so*"))
+        return of_system(name) or next(own, None)
+
+    ctypes.util.find_library = find_library
 
 
 def answer_for_python(arguments: Sequence[str]) -> None:

@@ -1,8 +1,9 @@
 """Build what is released into ``dist`` and check it: ``make release``.
 
-Wheel and source archive are built, their pages checked (twine), the wheel installed in an empty
-environment: there the studio renders its window without a screen, and the README's script and
-export run.  ``SHA256SUMS`` comes last.
+The conda recipe is read by rattler-build, the citation by cffconvert.  Wheel and
+source archive are built, their pages checked (twine), the wheel installed in an empty environment:
+there the studio renders its window without a screen, and the README's script and export run.
+``SHA256SUMS`` comes last.
 """
 
 import hashlib
@@ -13,7 +14,10 @@ import subprocess
 import sys
 import tempfile
 import venv
+from importlib import import_module
 from pathlib import Path
+
+from uv import find_uv_bin
 
 ROOT = Path(__file__).resolve().parents[1]
 DIST = ROOT / "dist"
@@ -23,6 +27,8 @@ VERSION = runpy.run_path(str(ROOT / "core/skinsource/version.py"))["__version__"
 def main() -> None:
     """Build and check; end with the first failure."""
     check_versions()
+    check_recipe()
+    run(find_uv_bin(), "tool", "run", "cffconvert", "--validate", "-i", "CITATION.cff")
     shutil.rmtree(DIST, ignore_errors=True)
     run(sys.executable, "-m", "build", "--outdir", DIST, ROOT)
     files = sorted(DIST.iterdir())
@@ -50,12 +56,20 @@ def check_versions() -> None:
             sys.exit(f"{name} names the versions {versions}, expected [{VERSION!r}]. Change it.")
 
 
+def check_recipe() -> None:
+    """Have rattler-build, which would build it, read and complete the conda recipe."""
+    rattler = import_module("rattler_build")
+    recipe = rattler.Stage0Recipe.from_file(ROOT / "packaging/conda/recipe.yaml")
+    (variant,) = recipe.render(rattler.VariantConfig())
+    sys.stdout.write(f"{variant}\n")
+
+
 def try_wheel(wheel: Path, folder: Path) -> None:
     """Install the wheel where nothing else is, and use it from a folder that holds nothing."""
-    venv.create(folder / "venv", with_pip=True)
+    venv.create(folder / "venv")
     scripts = folder / "venv" / ("Scripts" if sys.platform == "win32" else "bin")
     python = scripts / "python"
-    run(python, "-m", "pip", "install", "--quiet", f"{wheel}[all]")
+    run(find_uv_bin(), "pip", "install", "--quiet", "--python", python, f"{wheel}[all]")
     used = folder / "used"
     used.mkdir()
     run(scripts / "skinsource-gui", "--render", used / "rendered", folder=used)

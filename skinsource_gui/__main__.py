@@ -25,6 +25,10 @@ _FIRST_RUN = Path("build/first-run")
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Open the studio; without a display, render what it would show to files instead."""
+    for name in ("stdout", "stderr"):
+        # Windows gives programs of a window none.
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115  until the end
     options = _parser().parse_args(arguments)
     if importlib.util.find_spec("PySide6") is None or importlib.util.find_spec("pyqtgraph") is None:
         return _stop(f"the window needs its own packages: {extra_line('gui')}")

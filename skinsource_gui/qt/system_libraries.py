@@ -55,7 +55,9 @@ def install_line(packages: list[str]) -> str:
 
 
 def started_platform(_: Path) -> str:
-    """Start Qt and return the platform that it draws on; the path is not read."""
+    """Start Qt and return on which platform, or what to install; the path is not read."""
+    if missing := missing_packages(on_a_screen=has_display()):
+        return f"does not start. Install libraries of the system with: {install_line(missing)}"
     if not has_display():
         os.environ["QT_QPA_PLATFORM"] = "offscreen"
     gui = importlib.import_module("PySide6.QtGui")

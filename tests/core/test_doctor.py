@@ -32,6 +32,7 @@ def test_it_names_version_packages_qt_limbs_and_folders(told, tmp_path, monkeypa
     assert "numpy" in said["library"]
     assert "pyqtgraph" in said["gui"]
     assert said["Qt"] == "starts, platform offscreen"
+    assert said["next"].endswith(": skinsource-gui")
     assert "synthetic-1" in said["limbs"]
     assert said["data"] == str(tmp_path)
 
@@ -52,6 +53,7 @@ def test_a_qt_that_cannot_start_is_a_line_and_ends_nothing(told, monkeypatch):
     monkeypatch.setenv("DISPLAY", ":0")
     said = told()
     assert said["Qt"].startswith("does not start")
+    assert said["next"] == "do what the line Qt says"
     assert said["limbs"]
 
 

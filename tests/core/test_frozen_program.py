@@ -1,5 +1,6 @@
 """The self-contained folder has no Python: a program of its own answers in its place."""
 
+import ctypes.util
 import os
 import runpy
 import sys
@@ -11,6 +12,7 @@ from loky import ProcessPoolExecutor
 
 from skinsource.base import extras
 from skinsource.readers.reading_process import ReadingProcess
+from skinsource.version import __version__
 
 PROGRAM = Path("packaging/frozen_program.py").absolute()
 
@@ -59,5 +61,15 @@ def test_other_programs_find_the_systems_libraries(frozen, monkeypatch):
     assert os.environ["LD_LIBRARY_PATH"] == "of the user"
 
 
+def test_libraries_that_the_system_lacks_are_those_of_the_folder(frozen, tmp_path, monkeypatch):
+    monkeypatch.setattr("ctypes.util.find_library", {"both": "of the system"}.get)
+    for name in ("both", "ours"):
+        (tmp_path / f"lib{name}.so.2").touch()
+    frozen["find_libraries_in"](tmp_path)
+    found = [ctypes.util.find_library(name) for name in ("both", "ours", "none")]
+    assert found == ["of the system", str(tmp_path / "libours.so.2"), None]
+
+
 def test_where_no_package_can_be_added_another_installation_is_named(frozen):
-    assert extras.extra_line("cluster") == 'pipx install "skinsource[all,cluster]"'
+    wheel = f"./skinsource-{__version__}-py3-none-any.whl[all,cluster]"
+    assert extras.extra_line("cluster") == f'pipx install "{wheel}"'

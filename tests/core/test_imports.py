@@ -97,3 +97,13 @@ def test_the_line_fits_how_the_studio_is_installed(monkeypatch, tmp_path, editab
 def test_where_uv_made_the_environment_its_line_is_of_uv(monkeypatch):
     monkeypatch.setattr("importlib.util.find_spec", {}.get)
     assert extras.extra_line("audio").startswith(f"uv pip install --python {sys.executable} ")
+
+
+def test_on_macs_with_intel_the_line_names_the_compiler_that_mat_io_needs(monkeypatch):
+    monkeypatch.setattr(sys, "platform", "darwin")
+    for machine, needs in (("x86_64", True), ("arm64", False)):
+        monkeypatch.setattr("platform.machine", lambda machine=machine: machine)
+        line = extras.extra_line("dataset")
+        assert line.startswith("xcode-select --install, ") == needs
+        assert line.endswith(" mat-io") == needs
+        assert "mat-io" not in extras.extra_line("audio")

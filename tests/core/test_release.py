@@ -13,7 +13,7 @@ import pytest
 import skinsource as ss
 
 ROOT = Path(__file__).resolve().parents[2]
-SYSTEMS = ("x86_64-pc-windows-msvc", "aarch64-apple-darwin")
+SYSTEMS = ("x86_64-pc-windows-msvc", "aarch64-apple-darwin", "x86_64-apple-darwin")
 
 
 def lines_of(name):
@@ -76,3 +76,10 @@ def test_no_code_of_our_own_is_compiled():
         if file.is_file() and "__pycache__" not in file.parts
     }
     assert ours <= {".py", ".pyi", ".typed", ""}
+
+
+@pytest.mark.parametrize("name", ["README.md", "docs/installing.md"])
+def test_the_wheel_is_named_as_a_path_else_pipx_leaves_out_its_extras(name):
+    text = "\n".join(lines_of(name))
+    wheels = re.findall(r"install (?:--python \S+ )?\"(\S+\.whl\[all\])\"", text)
+    assert set(wheels) == {f"./skinsource-{ss.__version__}-py3-none-any.whl[all]"}

@@ -3,6 +3,7 @@ import signal
 import subprocess
 import sys
 from functools import partial
+from pathlib import Path
 
 import pytest
 
@@ -108,10 +109,25 @@ def test_ctrl_c_ends_rendering_without_a_word_and_without_a_file(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+WITHOUT_CONSOLE = """
+import sys
+from skinsource_gui.__main__ import main
+sys.stdout = sys.stderr = None
+sys.exit(main(["--render", sys.argv[1]]))
+"""
+
+
+def test_a_start_without_a_console_as_on_windows_needs_none(tmp_path):
+    done = python("-c", WITHOUT_CONSOLE, tmp_path / "folder")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert (tmp_path / "folder" / "window.png").is_file()
+
+
 def test_missing_system_libraries_end_in_the_exact_install_line(monkeypatch, capsys):
     monkeypatch.setattr(system_libraries, "_opens", lambda library: "EGL" not in library)
     assert start.main([]) == 1
     assert "apt-get install -y libegl1" in capsys.readouterr().err
+    assert "apt-get install -y libegl1" in system_libraries.started_platform(Path())
 
 
 def test_missing_packages_of_the_window_end_in_the_pip_line(monkeypatch, capsys):

@@ -2,27 +2,34 @@
 
 import importlib
 import importlib.util
+import platform
 import sys
 from pathlib import Path
 from types import ModuleType
 
 from skinsource.base.errors import MissingExtraError, printable, quoted
+from skinsource.version import __version__
 
 
 def extra_line(extra: str) -> str:
     """Return the line to type to install an extra, for a checkout or an installed package."""
     if getattr(sys, "frozen", False):
         # The self-contained folder takes no more packages.
-        return f'pipx install "skinsource[all,{extra}]"'
+        return f'pipx install "./skinsource-{__version__}-py3-none-any.whl[all,{extra}]"'
     checkout = Path(__file__).resolve().parents[3]
     requirement = f'"skinsource[{extra}]"'
     if (checkout / "pyproject.toml").is_file():
         requirement = f'-e "{checkout}[{extra}]"'
+    compiler = ""
+    if extra == "dataset" and (sys.platform, platform.machine()) == ("darwin", "x86_64"):
+        # mat-io has no wheel there, so that the extra leaves it out.
+        compiler = "xcode-select --install, and when that has ended: "
+        requirement = f"{requirement} mat-io"
     python = f'"{sys.executable}"' if " " in sys.executable else sys.executable
     if importlib.util.find_spec("pip") is None:
         # uv has made the environment.
-        return f"uv pip install --python {python} {requirement}"
-    return f"{python} -m pip install {requirement}"
+        return f"{compiler}uv pip install --python {python} {requirement}"
+    return f"{compiler}{python} -m pip install {requirement}"
 
 
 def package_of_extra(name: str, extra: str) -> ModuleType:

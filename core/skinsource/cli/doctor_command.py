@@ -43,6 +43,8 @@ def _doctor(_: argparse.Namespace) -> None:
         "settings": str(config_folder()),
         "cache": str(cache_folder()),
     }
+    opens = lines["Qt"].startswith("starts")
+    lines["next"] = "open the studio with: skinsource-gui" if opens else "do what the line Qt says"
     for name, text in lines.items():
         sys.stdout.write(f"{name:<12}{text}\n")
 
@@ -72,7 +74,8 @@ def _qt() -> str:
         (text,) = run_limited(function, user_folder(), expected="a window")
     except RecordingError:
         return (
-            "does not start: the packages of the extra gui or libraries of the system are missing"
+            "does not start. Install what the line gui says; if it says nothing, start "
+            "skinsource-gui with QT_DEBUG_PLUGINS=1 in the environment, which tells why"
         )
     return str(text)
 

@@ -1240,8 +1240,8 @@ class _Shot:
         self._nearest = _nearest_inside(self._surface.interpolate(still.values))
 
     def _moving(self, time_s: float) -> Any:
-        """Return the part of the response that holds an instant."""
-        view = replace(self._view, playhead_s=time_s)
+        """Return the part of the response that holds an instant; before 0 s, the first."""
+        view = replace(self._view, playhead_s=max(time_s, 0.0))
         return evaluate(self._design, self._name, view=view)[self._name]
 
     def frame(self, time_s: float) -> NDArray[np.uint8]:

@@ -67,6 +67,12 @@ def frames_of(path):
     return np.frombuffer(decoded, np.uint8).reshape(-1, 64, 64)
 
 
+def test_a_film_begins_before_the_stimulus_where_the_view_does(tmp_path):
+    view = ss.View(delay_removed=True, time_range_s=(-0.0005, 0.001))
+    frames = frames_of(ss.plot.film(DESIGN, tmp_path / "wave.mp4", view=view))
+    assert len(frames) == 2
+
+
 def test_a_film_shows_each_instant_with_rings_at_the_inputs(tmp_path, monkeypatch):
     shots = []
     shot_class = plot._Shot
