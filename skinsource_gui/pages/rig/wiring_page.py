@@ -291,7 +291,9 @@ class WiringPage(ToolPage):
         if self._settings.choose_rig(path):
             design, view = self._document.design, self._document.view
             self._document.apply(edits.choose_rig(design, view, rig))
-        self._begin()
+        self._buzzed.clear()
+        self._take(partial(self.check.opened, rig))
+        self._saved = wiring_check(rig)
         self.say(f"Saved {path.name}. Check it once more.")
 
     def _save(self) -> bool:
@@ -314,7 +316,7 @@ class WiringPage(ToolPage):
         for button in (self.sense, self.save):
             button.setEnabled(known and not self._running)
         self.felt.setEnabled(self.channel is not None and self.channel.output in self._buzzed)
-        self.correct.setEnabled(self.check is not None and bool(self.check.sentences))
+        self.correct.setEnabled(self.check is not None and self.check.wrong)
 
 
 def _number(name: str, spec: NumberSpec) -> NumberField:

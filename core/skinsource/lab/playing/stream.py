@@ -632,7 +632,7 @@ class PlayQueue:
         # First position of the last block, and its mix.
         self.began_at = 0
         self.began_in: Mix | None = None
-        # Whether a mix has begun, and the rest after it not yet.
+        # Whether a mix is due or plays, and the rest after it has not come yet.
         self.busy = False
         self.changed_s = self.waited_s = 0.0
         self.meters = Meters(n_outputs, sample_rate_hz)
@@ -648,6 +648,11 @@ class PlayQueue:
             )
         self.swap = MixChange(mix, at, perf_counter())
 
+    def begin(self, due: Due) -> None:
+        """Have a mix begin by itself."""
+        self.busy = True
+        self.due = due
+
     def begin_due(self, heard_s: float, n_times: int) -> None:
         """Begin what is due within the next block, which is heard from ``heard_s`` on."""
         due, fade = self.due, self.fade.size
@@ -658,7 +663,7 @@ class PlayQueue:
         if later < n_times + fade:
             later = max(later, fade)
             self.due = None
-            self.play(due.mix, fade - later)
+            _change_mix(self, MixChange(due.mix, fade - later, perf_counter()))
             due.began(heard_s + later / self.sample_rate_hz)
 
     def seek(self, at: int) -> None:
@@ -808,13 +813,16 @@ def _fill(queue: PlayQueue, block: Floats, *, first: bool) -> None:
 def _begin_mix_change(queue: PlayQueue) -> None:
     """Begin to fade to the requested mix, unless another fade is not over yet."""
     swap = queue.swap
-    if swap is None or queue.faded < queue.fade.size:
-        return
-    queue.swap = None
+    if swap is not None and queue.faded >= queue.fade.size:
+        queue.swap = None
+        _change_mix(queue, swap)
+
+
+def _change_mix(queue: PlayQueue, swap: MixChange) -> None:
+    """Begin to fade to a mix, or to silence."""
     queue.old, queue.old_position = queue.mix, queue.position
     queue.mix, queue.faded = swap.mix, 0
     if swap.mix is not None:
-        queue.busy = True
         queue.position = _position_in(swap.mix, swap, queue)
         queue.changed_s = perf_counter()
         queue.waited_s = queue.changed_s - swap.requested_s
@@ -883,7 +891,7 @@ def _end_after_last_sample(queue: PlayQueue) -> None:
             return
     if queue.rests is None:
         queue.ending = Ending(reason="stopped" if mix is None else "end")
-    elif queue.busy:
+    elif queue.busy and queue.due is None:
         queue.mix, queue.busy = None, False
         queue.rests()
 
@@ -892,6 +900,9 @@ def _end_after_last_sample(queue: PlayQueue) -> None:
 BLOCK_S = 0.005
 _GONE_AFTER_S = 2.0
 _LONGEST_WAIT_S = 1.0
+
+# The device calls a stream from its own thread, also where nothing else knows the stream any more.
+_OPEN: set["Stream"] = set()
 
 
 class Stream:
@@ -953,6 +964,7 @@ class Stream:
             )
         except self._library.PortAudioError as error:
             raise self._refusal(error) from error
+        _OPEN.add(self)
 
     def start(self) -> None:
         """Start playing.
@@ -978,6 +990,7 @@ class Stream:
             self._silent.wait(_LONGEST_WAIT_S)
         # Closing a device that was unplugged fails, and that does not matter.
         self._stream.close(ignore_errors=True)
+        _OPEN.discard(self)
 
     def ahead_s(self) -> float:
         """Return how far the clock of the device is ahead of `time.perf_counter`, s."""
