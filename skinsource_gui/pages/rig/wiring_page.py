@@ -44,6 +44,7 @@ _INTRODUCTION = (
     "the first output, compares channels exactly."
 )
 _WHICH = "Which place?"
+_MESSAGE_LINES = 4
 _INPUT = NumberSpec(label="Input", minimum=1, maximum=128, whole=True, hint="Input of the cable")
 _REFERENCE = NumberSpec(
     label="Reference input",
@@ -128,6 +129,9 @@ class WiringPage(ToolPage):
         )
         ends = in_row(self.arm, self.stop, None, self.correct, self.save, close)
         about = page_label("wiring_about", _INTRODUCTION)
+        # Buttons stay where they are while sentences come.
+        self.message.setMinimumHeight(_MESSAGE_LINES * self.message.fontMetrics().lineSpacing())
+        self.message.setAlignment(Qt.AlignmentFlag.AlignTop)
         in_column(about, (self.table, 1), felt, cables, self.message, ends, of=self, gap_px=UNIT_PX)
         self.table.itemSelectionChanged.connect(self._show_place)
         self._settings.changed.connect(self._follow_devices)
@@ -224,6 +228,7 @@ class WiringPage(ToolPage):
         row = self.table.currentRow()
         self._take(partial(self.check.felt, self.channel.output, int(self.place.currentData())))
         self.table.selectRow(min(row + 1, self.table.rowCount() - 1))
+        self.buzz.setFocus()
 
     def _sense(self) -> None:
         if self._wired is None:

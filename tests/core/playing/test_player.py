@@ -146,7 +146,7 @@ def test_times_of_another_clock_codes_beyond_eight_bits_and_wrong_types_are_refu
             player.play(code=code)
     with pytest.raises(InvalidInputError, match="loopback_s is"):
         ss.Player(DESIGN, loopback_s="soon")
-    with pytest.raises(InvalidInputError, match="rig is 'lab.skinrig', expected Rig"):
+    with pytest.raises(InvalidInputError, match=r"rig is 'lab\.skinrig', expected Rig"):
         ss.Player(DESIGN, "lab.skinrig")
     assert len(sound.streams) == 1
 

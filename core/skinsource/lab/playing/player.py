@@ -160,7 +160,7 @@ class Playback:
     def begin(self, first_s: float) -> None:
         """Note when its first sample is heard."""
         self._ahead_s = self._stream.ahead_s()
-        self.latency_s = first_s - self._stream.time_s()
+        self.latency_s = first_s - self._stream.asked_s
         self._first_s = first_s
         self._begun.set()
 

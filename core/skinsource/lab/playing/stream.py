@@ -431,6 +431,8 @@ def tone_of(output: int, n_outputs: int, sample_rate_hz: int) -> Mix:
 
 # Blocks that are remembered: more than a second.
 _REMEMBERED = 512
+# A clock has jumped where it differs by more from one block to the next, and goes on after so many.
+_JUMP_S, _STEADY = 0.5, 3
 # A loop that no position can reach.
 _NO_LOOP = (0, -(2**62))
 
@@ -479,13 +481,23 @@ class DeviceClock:
     """
 
     def __init__(self) -> None:
-        self._noted = 0
+        self._noted, self._last_s = 0, np.inf
         self._behind_s = np.full(_REMEMBERED, np.inf)
 
-    def note(self, device_s: float, now_s: float) -> None:
-        """Note that the clock of the device was at ``device_s`` when ours was at ``now_s``."""
-        self._behind_s[self._noted % _REMEMBERED] = now_s - device_s
+    def note(self, device_s: float, now_s: float) -> bool:
+        """Note that the clock of the device was at ``device_s`` when ours was at ``now_s``.
+
+        Returns
+        -------
+        Whether both have gone alike for three blocks: the first times of some devices are wrong.
+        """
+        behind_s = now_s - device_s
+        if abs(behind_s - self._last_s) > _JUMP_S:
+            self._noted = 0
+            self._behind_s[:] = np.inf
+        self._last_s = self._behind_s[self._noted % _REMEMBERED] = behind_s
         self._noted += 1
+        return self._noted >= _STEADY
 
     def at(self, now_s: float) -> float:
         """Return the time of the device when ours is ``now_s``; minus infinity before any note."""
@@ -926,9 +938,10 @@ class Stream:
     closed
         Whether it was closed, so that ``finished`` need not be handled.
     answered
-        Set once the device has asked for samples.
-    inside_s
-        Time from the last block until it is heard, s.
+        Set once the device has asked for samples, and its clock goes.
+    inside_s, asked_s
+        Time from the last block until it is heard, s, and when it was asked for, in the clock of
+        the device.
 
     Raises
     ------
@@ -943,7 +956,7 @@ class Stream:
         self.queue, self.device = queue, device
         self.underruns, self.closed = 0, False
         self._silent, self._finished, self.answered = Event(), finished, Event()
-        self.inside_s = 0.0
+        self.inside_s = self.asked_s = 0.0
         self._position, self._clock = HeardPosition(queue.sample_rate_hz), DeviceClock()
         self._called_s = perf_counter()
         self._inside_s = 0.0
@@ -1025,20 +1038,21 @@ class Stream:
 
     def _fill(self, out: Frames, frames: int, times: Any, status: Any) -> None:
         self._called_s = perf_counter()
-        self._clock.note(times.currentTime, self._called_s)
+        steady = self._clock.note(times.currentTime, self._called_s)
         self.underruns += bool(status.output_underflow)
         queue = self.queue
         inside_s = times.outputBufferDacTime - times.currentTime
         if inside_s <= 0.0:
             # Some systems do not say when a block is heard.
             inside_s = self._stream.latency
-        self.inside_s = inside_s
+        self.inside_s, self.asked_s = inside_s, times.currentTime
         heard_s = times.currentTime + inside_s
         queue.begin_due(heard_s, frames)
         next_block(queue, out)
         self._position.note(heard_s, queue.began_at, queue.began_in)
         if queue.changed_s != self._changed_s:
             self._changed_s, self._inside_s = queue.changed_s, inside_s
-        self.answered.set()
+        if steady:
+            self.answered.set()
         if queue.silent:
             raise self._library.CallbackStop

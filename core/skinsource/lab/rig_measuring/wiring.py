@@ -25,6 +25,8 @@ LARGEST_DELAY_S = 1e-4
 GAIN_AT_HZ = 100.0
 _COLUMNS = ("Output", "Place", "Felt at", "Polarity", "Gain at 100 Hz", "Delay", "Jitter")
 _OPEN = "not checked"
+# In parts of the printed page: where sentences begin, height of each, and of all at most.
+_TOP, _LINE, _MOST = 0.94, 0.012, 0.45
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -274,11 +276,14 @@ def save_wiring_check(check: WiringCheck, path: FilePath) -> None:
     title = f"Wiring of {check.title}" if check.title else "Wiring"
     with plot.style():
         figure = new_page(f"{title}, checked on {check.checked_on}")
-        rows = [channel.cells for channel in check.channels]
-        draw_table(figure.add_axes((0.08, 0.24, 0.84, 0.68)), _COLUMNS, rows)
         known = any(set(channel.cells[2:]) != {_OPEN} for channel in check.channels)
         right = "All that was checked is as the rig says." if known else "Nothing is checked yet."
         said = check.sentences or (right,)
-        figure.text(0.08, 0.2, "\n".join(said), fontsize=8, va="top", parse_math=False)
+        line = min(_LINE, _MOST / len(said))
+        size = 8.0 * line / _LINE
+        figure.text(0.08, _TOP, "\n".join(said), fontsize=size, va="top", parse_math=False)
+        rows = [channel.cells for channel in check.channels]
+        below = _TOP - 0.02 - line * len(said)
+        draw_table(figure.add_axes((0.08, 0.04, 0.84, below - 0.04)), _COLUMNS, rows)
         content_bytes = plot.figure_content(figure, kind)
     write_bytes(Path(path), content_bytes)
