@@ -115,7 +115,7 @@ class ToolPage(QtWidgets.QDialog):
         """Return the button before which nothing is sent to actuators, as in the panel Output."""
         arm = page_button(name, "Arm actuators", "Allow to play on the actuators")
         arm.setCheckable(True)
-        arm.toggled.connect(lambda on: arm.setText("Actuators armed" if on else "Arm actuators"))
+        arm.toggled.connect(lambda on: arm.setText("Armed" if on else "Arm actuators"))
         arm.toggled.connect(follow)
         return arm
 

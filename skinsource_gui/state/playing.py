@@ -423,10 +423,9 @@ class SoundSettings(QObject):
             return
         self.preferences.output_text = output.to_text()
         is_other_device = (before.device, before.host_api) != (output.device, output.host_api)
-        if is_other_device:
-            # A problem of the device before is none of this one.
-            self.missing = self._search_error
-            self._request_rates()
+        # A problem of the output before is none of this one.
+        self.missing = self._search_error
+        self._look_up_device(rates=is_other_device)
         self.output_changed.emit()
         self.changed.emit()
         if is_other_device:
@@ -447,18 +446,21 @@ class SoundSettings(QObject):
     ) -> None:
         self.searched, self.devices, self.rates_hz = True, found_devices or (), ()
         self.missing = self._search_error = "" if error is None else str(error)
-        self._request_rates()
+        self._look_up_device()
         self.changed.emit()
 
-    def _request_rates(self) -> None:
+    def _look_up_device(self, *, rates: bool = True) -> None:
+        """Note a device that is not there, or ask the device for its rates."""
         if not self.searched:
             return
         try:
             device = lab.playing.devices.device_of(self.output, self.devices)
         except SkinSourceError as error:
             self.missing = self.missing or str(error)
-            return
-        self._thread.run(partial(lab.playing.devices.rates_of, device), self._receive_rates)
+        else:
+            if rates:
+                rates_of = partial(lab.playing.devices.rates_of, device)
+                self._thread.run(rates_of, self._receive_rates)
 
     def _receive_rates(self, rates_hz: tuple[int, ...] | None, error: Exception | None) -> None:
         self.rates_hz = rates_hz or ()

@@ -226,6 +226,9 @@ def _shown_signature(function: Callable[..., object], *, plain: bool = False) ->
 def _check_types(function: Callable[..., object], *args: object, **kwargs: object) -> None:
     hints, signature = get_type_hints(function), inspect.signature(function)
     for name, value in signature.bind(*args, **kwargs).arguments.items():
+        if name not in hints:
+            # The object of a method.
+            continue
         several = signature.parameters[name].kind is inspect.Parameter.VAR_POSITIONAL
         for part in value if several else (value,):
             if not _fits(part, hints[name]):

@@ -44,6 +44,7 @@ _INTRODUCTION = (
     "the first output, compares channels exactly."
 )
 _WHICH = "Which place?"
+_MESSAGE_LINES = 4
 _INPUT = NumberSpec(label="Input", minimum=1, maximum=128, whole=True, hint="Input of the cable")
 _REFERENCE = NumberSpec(
     label="Reference input",
@@ -128,6 +129,9 @@ class WiringPage(ToolPage):
         )
         ends = in_row(self.arm, self.stop, None, self.correct, self.save, close)
         about = page_label("wiring_about", _INTRODUCTION)
+        # Buttons stay where they are while sentences come.
+        self.message.setMinimumHeight(_MESSAGE_LINES * self.message.fontMetrics().lineSpacing())
+        self.message.setAlignment(Qt.AlignmentFlag.AlignTop)
         in_column(about, (self.table, 1), felt, cables, self.message, ends, of=self, gap_px=UNIT_PX)
         self.table.itemSelectionChanged.connect(self._show_place)
         self._settings.changed.connect(self._follow_devices)
@@ -224,6 +228,7 @@ class WiringPage(ToolPage):
         row = self.table.currentRow()
         self._take(partial(self.check.felt, self.channel.output, int(self.place.currentData())))
         self.table.selectRow(min(row + 1, self.table.rowCount() - 1))
+        self.buzz.setFocus()
 
     def _sense(self) -> None:
         if self._wired is None:
@@ -291,7 +296,9 @@ class WiringPage(ToolPage):
         if self._settings.choose_rig(path):
             design, view = self._document.design, self._document.view
             self._document.apply(edits.choose_rig(design, view, rig))
-        self._begin()
+        self._buzzed.clear()
+        self._take(partial(self.check.opened, rig))
+        self._saved = wiring_check(rig)
         self.say(f"Saved {path.name}. Check it once more.")
 
     def _save(self) -> bool:
@@ -314,7 +321,7 @@ class WiringPage(ToolPage):
         for button in (self.sense, self.save):
             button.setEnabled(known and not self._running)
         self.felt.setEnabled(self.channel is not None and self.channel.output in self._buzzed)
-        self.correct.setEnabled(self.check is not None and bool(self.check.sentences))
+        self.correct.setEnabled(self.check is not None and self.check.wrong)
 
 
 def _number(name: str, spec: NumberSpec) -> NumberField:

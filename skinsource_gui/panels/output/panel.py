@@ -602,7 +602,7 @@ class OutputPanel(Panel):
     def show_played(self, played: Played) -> None:
         """Take over what is played and how loud; called while the panel is visible."""
         self._played = played
-        show_or_hide(self.problem, played.missing)
+        show_or_hide(self.problem, played.missing or trigger_text(played))
         own = self._design.rig
         self.fields.show_played(played, None if own is None else own.title or "Rig")
         self.rows.show_played(played)
@@ -746,6 +746,18 @@ class OutputPanel(Panel):
     def _unfold(self) -> None:
         settings = OutputSettings(more=not self._settings.more)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+
+def trigger_text(played: Played) -> str:
+    """Return why the output of the trigger is none; "" where it can be."""
+    number = 0 if played.output.stand_in else played.output.trigger_output
+    place = next((place for place, output in played.wired if output == number), None)
+    if place is None:
+        return ""
+    return (
+        f"Output {number} drives place {place}, so it cannot be the trigger. Choose a free output "
+        "for the trigger."
+    )
 
 
 def peak_text(played: Played) -> str:

@@ -89,7 +89,7 @@ def test_what_is_due_begins_at_the_sample_of_its_time_and_as_soon_as_it_can(late
     rests, begun = [], []
     queue = PlayQueue(1, rate_hz, 0.0, lambda: rests.append(True))
     mix = playing_bench.mix(np.full(300, 0.5))
-    queue.due = Due(mix, 10.0 + later / rate_hz, begun.append)
+    queue.begin(Due(mix, 10.0 + later / rate_hz, begun.append))
     heard = []
     for number in range(20):
         queue.begin_due(10.0 + number * n / rate_hz, n)

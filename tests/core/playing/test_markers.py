@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.base.errors import PlaybackError
 from tests.core.playing.playing_bench import wait_for
 
 pylsl = pytest.importorskip("pylsl", reason="the extra lsl is not installed")
@@ -105,7 +106,7 @@ def test_none_of_ten_thousand_markers_is_lost_and_a_recorder_reads_them(inlet_of
 
 
 def test_a_marker_has_the_time_at_which_the_first_sample_is_heard(sound, inlet_of):
-    markers = ss.Markers("Onsets", drive=True)
+    markers = ss.Markers("Onsets")
     with ss.Player(DESIGN, gain_db=0.0, began=markers, loopback_s=0.125) as player:
         inlet = inlet_of("Onsets")
         playback = player.play(code=5)
@@ -118,17 +119,29 @@ def test_a_marker_has_the_time_at_which_the_first_sample_is_heard(sound, inlet_o
     assert said["first_sample_s"] == playback.first_sample_s
 
 
-def test_the_drive_is_a_stream_whose_first_sample_is_at_the_onset(sound, inlet_of):
-    markers = ss.Markers("Drives", drive=True)
+def test_the_drive_is_a_stream_from_the_start_whose_first_sample_is_at_the_onset(sound, inlet_of):
+    markers = ss.Markers("Drives", drive_outputs=3)
+    inlet = inlet_of("Drives drive")
     with ss.Player(DESIGN, gain_db=0.0, began=markers) as player:
-        assert player.play().wait(20)
-        inlet = inlet_of("Drives drive")
         playback = player.play()
         assert playback.wait(20)
         values, times = pulled(inlet, playback.mix.n_times)
-    assert np.array_equal(np.array(values, np.float32).T, playback.mix.samples)
+    drive = np.array(values, np.float32).T
+    assert np.array_equal(drive[:2], playback.mix.samples)
+    assert not drive[2].any()
     ahead_s = pylsl.local_clock() - monotonic()
     assert times[0] - ahead_s == pytest.approx(playback.onset_monotonic_s, abs=2e-3)
+
+
+def test_a_drive_with_more_outputs_than_its_stream_is_said_and_no_marker_is_lost(sound, inlet_of):
+    markers = ss.Markers("Narrow", drive_outputs=1)
+    inlet = inlet_of("Narrow")
+    player = ss.Player(DESIGN, began=markers)
+    assert player.play(code=5).wait(20)
+    with pytest.raises(PlaybackError, match="2 outputs play at 48000 Hz, and the stream has 1"):
+        player.close()
+    (((text,),), _) = pulled(inlet, 1)
+    assert json.loads(text)["code"] == 5
 
 
 def test_the_example_of_an_experiment_runs(sound, monkeypatch, capsys):

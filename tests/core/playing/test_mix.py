@@ -93,3 +93,11 @@ def test_the_clock_of_a_device_is_that_of_the_block_that_waited_least():
     for now_s, waited_s in ((10.0, 0.004), (10.005, 0.001), (10.010, 0.006)):
         clock.note(now_s + 500.0, now_s + waited_s)
     assert clock.at(10.021) == pytest.approx(510.020)
+
+
+def test_the_first_times_of_a_device_that_jump_are_forgotten_and_a_clock_goes_after_three_blocks():
+    clock = DeviceClock()
+    steady = [clock.note(device_s, 10.0 + 0.005 * k) for k, device_s in enumerate((89_478.4, 0.03))]
+    steady += [clock.note(0.03 + 0.005 * k, 10.005 + 0.005 * k) for k in (1, 2)]
+    assert steady == [False, False, False, True]
+    assert clock.at(10.025) == pytest.approx(0.05)

@@ -1,5 +1,8 @@
 """A player for experiments: prepared, told when to begin, honest about when it did."""
 
+import gc
+import weakref
+from dataclasses import replace
 from time import monotonic
 
 import numpy as np
@@ -9,8 +12,11 @@ import skinsource as ss
 from skinsource.actuators import Limits
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.errors import InvalidInputError, NothingToPlayOnError, PlaybackError
+from skinsource.lab.playing.devices import devices
+from skinsource.lab.playing.stream import PlayQueue, Stream
 from skinsource.lab.playing.triggers import code_in
-from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
+from tests.core.playing.playing_bench import wait_for
+from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, SyntheticStream, use
 
 RATE_HZ = 48_000
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
@@ -24,10 +30,13 @@ def player(sound):
         yield player
 
 
-def heard(sound, output):
-    """What an output played, and where its first sound is."""
-    samples = sound.streams[0].samples[output - 1]
-    return samples, int(np.flatnonzero(samples)[0])
+def is_heard_once(sound):
+    """Whether the first output played the stimulus, and silence before and after it."""
+    samples = sound.streams[0].samples[0]
+    begin = np.flatnonzero(samples)[0]
+    end = begin + SAMPLES.size
+    # What rings after the end is next to nothing.
+    return np.array_equal(samples[begin:end], SAMPLES) and np.abs(samples[end:]).max() < 1e-4
 
 
 def test_each_time_the_same_samples_are_played_with_the_code_beside_them(sound, player):
@@ -100,6 +109,77 @@ def test_a_stopped_one_fades_and_the_next_one_begins_at_its_first_sample(sound):
         assert again.wait(20)
 
 
+def test_what_is_stopped_before_it_begins_is_over_and_the_next_one_plays(sound, player):
+    playback = player.play(player.time_s + 60.0)
+    playback.stop()
+    playback.stop()
+    assert playback.wait(20)
+    assert playback.first_sample_s is None
+    assert not playback.wait_begin(0.0)
+    assert player.play().wait(20)
+    player.close()
+    assert is_heard_once(sound)
+
+
+def test_what_has_ended_well_stays_so_after_the_player_is_closed(sound):
+    long = DESIGN.with_input(0, clips=ss.track(7, ss.waveforms.Tone(duration_s=30.0)).clips)
+    with ss.Player(long) as player:
+        playback = player.play()
+        assert playback.wait_begin(20)
+        assert not playback.wait(0.0)
+    assert playback.wait(20)
+    with pytest.raises(PlaybackError, match="player is closed"):
+        player.play()
+
+
+def test_a_design_with_a_loop_is_played_once_as_it_is_exported(sound):
+    with ss.Player(replace(DESIGN, loop_s=(0.01, 0.03)), gain_db=0.0) as player:
+        assert player.play().wait(20)
+    assert is_heard_once(sound)
+
+
+def test_times_of_another_clock_codes_beyond_eight_bits_and_wrong_types_are_refused(sound, player):
+    with pytest.raises(PlaybackError, match="the clock of at"):
+        player.play(player.time_s + 1e6)
+    for code in (-1, 256, 1.5, "5"):
+        with pytest.raises(InvalidInputError, match="code is"):
+            player.play(code=code)
+    with pytest.raises(InvalidInputError, match="loopback_s is"):
+        ss.Player(DESIGN, loopback_s="soon")
+    with pytest.raises(InvalidInputError, match=r"rig is 'lab\.skinrig', expected Rig"):
+        ss.Player(DESIGN, "lab.skinrig")
+    assert len(sound.streams) == 1
+
+
+def test_where_an_onset_cannot_be_told_the_player_says_so_and_the_next_is_told(sound):
+    told = []
+
+    def tell(playback):
+        told.append(playback.code)
+        if playback.code == 1:
+            raise RuntimeError("No network")
+
+    player = ss.Player(DESIGN, began=tell)
+    assert player.play(code=1).wait(20)
+    wait_for(lambda: player._untold is not None)
+    with pytest.raises(PlaybackError, match=r"An onset was not told: No network\."):
+        player.play()
+    assert player.play(code=2).wait(20)
+    player.close()
+    assert told == [1, 2]
+
+
+def test_a_stream_that_nobody_knows_is_kept_until_it_is_closed(sound, monkeypatch):
+    # Its device calls it from a thread that Python knows nothing of.
+    monkeypatch.setattr(sound, "OutputStream", lambda **asked: SyntheticStream(sound, asked))
+    ours = weakref.ref(Stream(PlayQueue(1, RATE_HZ), devices()[0], 0.02, lambda: None))
+    gc.collect()
+    assert ours() is not None
+    ours().close()
+    gc.collect()
+    assert ours() is None
+
+
 def test_what_begins_is_told_from_a_thread_of_its_own(sound):
     told = []
     with ss.Player(DESIGN, began=told.append) as player:
@@ -125,9 +205,7 @@ def test_full_scale_the_rig_and_missing_outputs_are_refused_before_anything_soun
 def test_a_stimulus_is_played_as_its_design(sound):
     with ss.Player(ss.stimulus_of(DESIGN), gain_db=0.0) as player:
         player.play().wait(20)
-    samples, first = heard(sound, 1)
-    expected = SAMPLES[np.flatnonzero(SAMPLES)[0] :]
-    assert np.array_equal(samples[first : first + expected.size], expected)
+    assert is_heard_once(sound)
 
 
 def test_a_device_that_goes_or_hangs_ends_the_playback_with_a_sentence(sound):
@@ -139,6 +217,13 @@ def test_a_device_that_goes_or_hangs_ends_the_playback_with_a_sentence(sound):
             lose()
             with pytest.raises(PlaybackError, match="Two is gone"):
                 playback.wait(20)
+        sound.is_stuck = False
+        with ss.Player(long) as player:
+            playback = player.play(player.time_s + 60.0)
+            lose()
+            with pytest.raises(PlaybackError, match="Two is gone"):
+                playback.wait_begin(20)
+        sound.is_stuck = False
 
 
 def test_without_a_device_there_is_one_error(monkeypatch):

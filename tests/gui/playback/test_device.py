@@ -72,6 +72,21 @@ def test_a_trigger_is_given_an_output_and_is_played_there(sound, player, panel, 
     assert code_in(sound.streams[-1].samples[2], 48_000)[0] == 37
 
 
+def test_a_trigger_on_an_output_that_plays_a_place_is_said_until_it_has_another(
+    sound, player, panel, qtbot
+):
+    field = panel.fields.cells["trigger_output"].field
+    panel.fields.device.choose("Eight\nMade up")
+    field.edited.emit(2.0, None)
+    assert "Output 2 drives place 12, so it cannot be the trigger." in text_of(
+        panel, "output_problem"
+    )
+    player.arm(True)
+    qtbot.waitUntil(lambda: "Output 2 plays place 12" in text_of(panel, "output_problem"), **WAIT)
+    field.edited.emit(3.0, None)
+    assert not text_of(panel, "output_problem")
+
+
 def test_each_place_has_an_output_and_two_of_them_change_places(sound, player, panel):
     first, second = panel.rows.rows
     assert [round(row.output.value_si) for row in panel.rows.rows] == [1, 2]

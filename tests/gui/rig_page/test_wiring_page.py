@@ -94,6 +94,35 @@ def test_swapped_places_are_noted_row_after_row_and_put_right_in_the_rig(page, r
     assert cells(page, 0)[:3] == ["1", "8", "not checked"]
 
 
+def test_correcting_the_rig_keeps_what_else_was_found_and_asks_before_it_is_lost(
+    page, qtbot, monkeypatch
+):
+    assert not page.correct.isEnabled()
+    page.arm.click()
+    page.loop.click()
+    qtbot.waitUntil(lambda: "ms" in cells(page, 0)[5], **WAIT)
+    # A delay is nothing that places and polarities could put right.
+    assert not page.correct.isEnabled()
+    page.buzz.click()
+    qtbot.waitUntil(page.felt.isEnabled, **WAIT)
+    page.place.choose("9")
+    page.felt.click()
+    page.correct.click()
+    assert cells(page, 0)[:3] == ["1", "9", "not checked"]
+    assert cells(page, 0)[5] == "10.000 ms"
+    page.table.selectRow(0)
+    assert not page.felt.isEnabled()
+    asked = []
+
+    def question(*said):
+        asked.append(said[2])
+        return QMessageBox.StandardButton.Cancel
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    page.reject()
+    assert asked == ["What was found is not saved. Save it?"]
+
+
 def test_a_cable_tells_delay_and_jitter_of_its_output(page, qtbot):
     page.arm.click()
     page.loop.click()

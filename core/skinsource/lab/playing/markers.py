@@ -5,9 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.arguments import checking, integer
+from skinsource.base.errors import InvalidInputError, counted
 from skinsource.base.extras import package_of_extra
+from skinsource.lab.playing.devices import MOST_OUTPUTS
 from skinsource.lab.playing.player import Playback
+from skinsource.signals.resampling import MAX_RATE_HZ
 
 # Recorders look for streams that begin anew by this name.
 _SOURCE = "skinsource"
@@ -24,9 +27,11 @@ class Markers:
     ----------
     name
         Name of the stream; that of the drive is the same with " drive".
-    drive
-        Whether a second stream holds what is played, an output a channel, at the rate of the
-        device; 1 is full scale at 0 dB.
+    drive_outputs
+        Outputs of a second stream, which holds what is played, an output a channel; 1 is full scale
+        at 0 dB.  0: no such stream.
+    drive_rate_hz
+        Rate of the device, and of that stream.
 
     Raises
     ------
@@ -41,12 +46,23 @@ class Markers:
     onset": "estimated"}
     """
 
-    def __init__(self, name: str = "SkinSource", *, drive: bool = False) -> None:
+    @checking
+    def __init__(
+        self, name: str = "SkinSource", *, drive_outputs: int = 0, drive_rate_hz: int = 48_000
+    ) -> None:
         self._lsl: Any = package_of_extra("pylsl", "lsl")
-        self.name, self._drive = name, drive
-        info = self._lsl.StreamInfo(name, "Markers", 1, 0.0, "string", f"{_SOURCE}-{name}")
-        self._markers = self._lsl.StreamOutlet(info)
-        self._drives: Any = None
+        self._n = integer("drive_outputs", drive_outputs, 0, MOST_OUTPUTS)
+        self._rate_hz = integer("drive_rate_hz", drive_rate_hz, 1, MAX_RATE_HZ)
+        self._markers = self._outlet(name, "Markers", 1, 0.0, "string")
+        self._drive: Any = None
+        if self._n:
+            # Before anything is played, so that recorders find it.
+            drive_name, rate_hz = f"{name} drive", float(self._rate_hz)
+            self._drive = self._outlet(drive_name, "Stimulus", self._n, rate_hz, "float32")
+
+    def _outlet(self, name: str, kind: str, n: int, rate_hz: float, form: str) -> Any:
+        info = self._lsl.StreamInfo(name, kind, n, rate_hz, form, f"{_SOURCE}-{name}")
+        return self._lsl.StreamOutlet(info)
 
     def __call__(self, playback: Playback) -> None:
         """Send the marker of a playback that has begun, and its drive."""
@@ -60,20 +76,21 @@ class Markers:
             loopback_s=playback.loopback_s,
         )
         self._markers.push_sample([text], at_s)
-        if self._drive:
+        if self._drive is not None:
             self._push_drive(playback, at_s)
 
     def _push_drive(self, playback: Playback, at_s: float) -> None:
         mix = playback.mix
-        rate_hz = mix.sample_rate_hz
-        if self._drives is None:
-            name = f"{self.name} drive"
-            n, source = mix.n_outputs, f"{_SOURCE}-{name}"
-            info = self._lsl.StreamInfo(name, "Stimulus", n, rate_hz, "float32", source)
-            self._drives = self._lsl.StreamOutlet(info)
+        if mix.n_outputs > self._n or mix.sample_rate_hz != self._rate_hz:
+            raise InvalidInputError(
+                f"{counted(mix.n_outputs, 'output')} play at {mix.sample_rate_hz} Hz, and the "
+                f"stream has {self._n} at {self._rate_hz} Hz. Make Markers with that many outputs."
+            )
+        samples = np.zeros((mix.n_times, self._n), np.float32)
+        samples[:, : mix.n_outputs] = mix.samples.T
         # The time of a block is that of its last sample.
-        end_s = at_s + (mix.n_times - 1) / rate_hz
-        self._drives.push_chunk(np.ascontiguousarray(mix.samples.T), end_s)
+        end_s = at_s + (mix.n_times - 1) / self._rate_hz
+        self._drive.push_chunk(samples, end_s)
 
 
 def marker_text(

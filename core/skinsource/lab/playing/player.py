@@ -2,14 +2,15 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import inf
 from queue import SimpleQueue
 from threading import Event, Thread
 from time import monotonic, perf_counter
 from typing import Literal, Self
 
 from skinsource.actuators.rigs import Rig
-from skinsource.base.arguments import checking, one_of, real_number
-from skinsource.base.errors import PlaybackError
+from skinsource.base.arguments import checking, integer, one_of, real_number
+from skinsource.base.errors import PlaybackError, printable, sentence
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Stimulus
 from skinsource.lab.playing.devices import Output, device_of, devices
@@ -26,10 +27,13 @@ from skinsource.lab.playing.stream import (
     refused,
     with_trigger,
 )
+from skinsource.lab.playing.triggers import BITS
 
 # The device answers within this time, or does not at all.
 _ANSWER_S = 5.0
 _LOOK_S = 0.25
+# Nobody waits longer: such a time is one of another clock.
+_FARTHEST_S = 3600.0
 
 
 class Playback:
@@ -61,7 +65,7 @@ class Playback:
         self.latency_s: float | None = None
         self._stream, self._ahead_s = stream, 0.0
         self._first_s: float | None = None
-        self._lost = False
+        self._problem = ""
         self._underruns = stream.underruns
         self._begun, self._over = Event(), Event()
 
@@ -124,26 +128,31 @@ class Playback:
         PlaybackError
             It ended early, since a limit would have been passed or the device is gone.
         """
-        until_s = None if longest_s is None else perf_counter() + longest_s
-        while not self._over.wait(_LOOK_S):
-            if self._stream.unresponsive:
-                self._lost = True
-                break
-            if until_s is not None and perf_counter() > until_s:
-                return False
-        ending = self._stream.queue.ending
-        if ending is not None and ending.sentence:
-            raise PlaybackError(ending.sentence)
-        if self._lost:
-            raise PlaybackError(f"{self._stream.device.name} is gone. Connect it, then play again.")
-        return True
+        return self._wait(self._over, longest_s)
 
     def wait_begin(self, longest_s: float | None = None) -> bool:
-        """Wait until the device has taken its first sample; return whether it has."""
-        return self._begun.wait(longest_s)
+        """Wait until the device has taken its first sample; return whether it has.
+
+        Raises
+        ------
+        PlaybackError
+            The device is gone.
+        """
+        return self._wait(self._begun, longest_s) and self._first_s is not None
+
+    def _wait(self, event: Event, longest_s: float | None) -> bool:
+        until_s = inf if longest_s is None else perf_counter() + longest_s
+        while not event.wait(min(_LOOK_S, max(until_s - perf_counter(), 0.0))):
+            if self._stream.unresponsive:
+                self.end(gone(self._stream.device.name))
+            elif perf_counter() >= until_s:
+                break
+        if self._problem:
+            raise PlaybackError(self._problem)
+        return event.is_set()
 
     def stop(self) -> None:
-        """Fade out within 5 ms."""
+        """Fade out within 5 ms; what has not begun yet does not begin."""
         if not self.over:
             self._stream.queue.due = None
             self._stream.queue.stop()
@@ -151,23 +160,29 @@ class Playback:
     def begin(self, first_s: float) -> None:
         """Note when its first sample is heard."""
         self._ahead_s = self._stream.ahead_s()
-        self.latency_s = first_s - self._stream.time_s()
+        self.latency_s = first_s - self._stream.asked_s
         self._first_s = first_s
         self._begun.set()
 
-    def end(self, *, lost: bool = False) -> None:
-        """Note that it is over, or that its device is lost."""
-        self._lost = lost
+    def end(self, problem: str = "") -> None:
+        """Note that it is over, and why where that is early."""
+        self._problem = problem
         self._begun.set()
         self._over.set()
+
+
+def gone(name: str) -> str:
+    """Return the sentence on a device that is lost."""
+    return f"{name} is gone. Connect it, then play again."
 
 
 class Player:
     """Plays one stimulus on a sound card, as often as it is told to.
 
     All is computed and the device is opened at once, and plays silence between.  Samples are those
-    of an exported file: they are never made smaller; a gain that would pass full scale, or a limit
-    of the rig, is refused.
+    of an exported file, once: a loop of the design is not repeated.  The limiter refuses: where a
+    peak would pass full scale, or a limit of the rig, nothing is played, as flattened peaks would
+    be another stimulus.
 
     Parameters
     ----------
@@ -225,7 +240,11 @@ class Player:
         #: The device that plays.
         self.device = device_of(output, devices())
         #: Delay behind the time that the device tells, s; None: not measured.
-        self.loopback_s = loopback_s
+        self.loopback_s = (
+            loopback_s if loopback_s is None else real_number("loopback_s", loopback_s)
+        )
+        if isinstance(stimulus, Design):
+            stimulus = replace(stimulus, loop_s=None)
         #: What is played: names of outputs, samples, duration.
         self.mix = mix_for(Mixer(), self.device, stimulus, output, rig=rig)
         refusal = refused(self.mix, gain_db)
@@ -234,6 +253,7 @@ class Player:
         self._playback: Playback | None = None
         self._told: SimpleQueue[Playback | None] = SimpleQueue()
         self._teller: Thread | None = None
+        self._untold: Exception | None = None
         self._queue = PlayQueue(self.mix.n_outputs, output.sample_rate_hz, gain_db, self._rest)
         self._stream = Stream(self._queue, self.device, output.latency_s, self._finish)
         self._stream.start()
@@ -280,40 +300,56 @@ class Player:
         clock
             Whose time ``at`` is.
         code
-            What the trigger tells, 0 to 255.
+            What the trigger and markers tell, 0 to 255.
 
         Raises
         ------
         PlaybackError
-            It still plays, it has ended for good, or ``at`` is too soon or past.
+            It still plays, it is closed, ``at`` is past, too soon or more than an hour away, or
+            ``began`` has failed.
         """
         if self._playback is not None and not self._playback.over:
             raise PlaybackError("The player still plays. Call stop first, or wait for the end.")
         if self._stream.closed or self._queue.ending is not None:
             raise PlaybackError("The player is closed. Make a new one.")
+        self._check_told()
         one_of("clock", clock, ("stream", "monotonic"))
+        integer("code", code, 0, 2**BITS - 1)
         at_s = None if at is None else real_number("at", at)
         if at_s is not None and clock == "monotonic":
             at_s += self._stream.ahead_s() - ahead_of_ours_s(monotonic)
-        if at_s is not None and at_s < self.time_s + self.soonest_s:
+        in_s = inf if at_s is None else at_s - self.time_s
+        if in_s < self.soonest_s:
             raise PlaybackError(
-                f"The device was asked to play in {(at_s - self.time_s) * 1e3:.1f} ms and needs "
+                f"The device was asked to play in {in_s * 1e3:.1f} ms and needs "
                 f"{self.soonest_s * 1e3:.1f} ms. Ask earlier."
+            )
+        if _FARTHEST_S < in_s < inf:
+            raise PlaybackError(
+                f"The device was asked to play in {in_s:.4g} s, expected at most "
+                f"{_FARTHEST_S:g} s. Name the clock of at: stream or monotonic."
             )
         mix = self.mix
         if mix.trigger_output:
             mix = with_trigger(mix, mix.trigger_output, code)
         playback = Playback(self._stream, mix, at_s, code, self.loopback_s)
         self._playback = playback
-        self._queue.due = Due(mix, at_s, self._begin)
+        self._queue.begin(Due(mix, at_s, self._begin))
         return playback
 
     def close(self) -> None:
-        """Fall silent and close the device."""
+        """Fall silent and close the device.
+
+        Raises
+        ------
+        PlaybackError
+            ``began`` has failed.
+        """
         self._stream.close()
         self._told.put(None)
         if self._teller is not None:
             self._teller.join()
+        self._check_told()
 
     def _begin(self, first_s: float) -> None:
         """Note in the thread of the device that a playback begins."""
@@ -327,10 +363,21 @@ class Player:
             self._playback.end()
 
     def _finish(self) -> None:
-        if self._playback is not None and not self._playback.over:
-            lost = self._queue.ending is None and not self._stream.closed
-            self._playback.end(lost=lost)
+        playback, ending = self._playback, self._queue.ending
+        if playback is not None and not playback.over:
+            problem = gone(self.device.name) if ending is None else ending.sentence
+            # Closing the device falls silent at once: that is no problem.
+            playback.end("" if self._stream.closed else problem)
 
     def _tell(self, began: Callable[[Playback], None]) -> None:
         while (playback := self._told.get()) is not None:
-            began(playback)
+            try:
+                began(playback)
+            # Whatever it is, later playbacks are told.
+            except Exception as error:  # noqa: BLE001  raised from close and play
+                self._untold = error
+
+    def _check_told(self) -> None:
+        error, self._untold = self._untold, None
+        if error is not None:
+            raise PlaybackError(f"An onset was not told: {sentence(printable(error))}") from error

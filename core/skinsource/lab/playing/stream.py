@@ -431,6 +431,8 @@ def tone_of(output: int, n_outputs: int, sample_rate_hz: int) -> Mix:
 
 # Blocks that are remembered: more than a second.
 _REMEMBERED = 512
+# A clock has jumped where it differs by more from one block to the next, and goes on after so many.
+_JUMP_S, _STEADY = 0.5, 3
 # A loop that no position can reach.
 _NO_LOOP = (0, -(2**62))
 
@@ -479,13 +481,23 @@ class DeviceClock:
     """
 
     def __init__(self) -> None:
-        self._noted = 0
+        self._noted, self._last_s = 0, np.inf
         self._behind_s = np.full(_REMEMBERED, np.inf)
 
-    def note(self, device_s: float, now_s: float) -> None:
-        """Note that the clock of the device was at ``device_s`` when ours was at ``now_s``."""
-        self._behind_s[self._noted % _REMEMBERED] = now_s - device_s
+    def note(self, device_s: float, now_s: float) -> bool:
+        """Note that the clock of the device was at ``device_s`` when ours was at ``now_s``.
+
+        Returns
+        -------
+        Whether both have gone alike for three blocks: the first times of some devices are wrong.
+        """
+        behind_s = now_s - device_s
+        if abs(behind_s - self._last_s) > _JUMP_S:
+            self._noted = 0
+            self._behind_s[:] = np.inf
+        self._last_s = self._behind_s[self._noted % _REMEMBERED] = behind_s
         self._noted += 1
+        return self._noted >= _STEADY
 
     def at(self, now_s: float) -> float:
         """Return the time of the device when ours is ``now_s``; minus infinity before any note."""
@@ -632,7 +644,7 @@ class PlayQueue:
         # First position of the last block, and its mix.
         self.began_at = 0
         self.began_in: Mix | None = None
-        # Whether a mix has begun, and the rest after it not yet.
+        # Whether a mix is due or plays, and the rest after it has not come yet.
         self.busy = False
         self.changed_s = self.waited_s = 0.0
         self.meters = Meters(n_outputs, sample_rate_hz)
@@ -648,6 +660,11 @@ class PlayQueue:
             )
         self.swap = MixChange(mix, at, perf_counter())
 
+    def begin(self, due: Due) -> None:
+        """Have a mix begin by itself."""
+        self.busy = True
+        self.due = due
+
     def begin_due(self, heard_s: float, n_times: int) -> None:
         """Begin what is due within the next block, which is heard from ``heard_s`` on."""
         due, fade = self.due, self.fade.size
@@ -658,7 +675,7 @@ class PlayQueue:
         if later < n_times + fade:
             later = max(later, fade)
             self.due = None
-            self.play(due.mix, fade - later)
+            _change_mix(self, MixChange(due.mix, fade - later, perf_counter()))
             due.began(heard_s + later / self.sample_rate_hz)
 
     def seek(self, at: int) -> None:
@@ -808,13 +825,16 @@ def _fill(queue: PlayQueue, block: Floats, *, first: bool) -> None:
 def _begin_mix_change(queue: PlayQueue) -> None:
     """Begin to fade to the requested mix, unless another fade is not over yet."""
     swap = queue.swap
-    if swap is None or queue.faded < queue.fade.size:
-        return
-    queue.swap = None
+    if swap is not None and queue.faded >= queue.fade.size:
+        queue.swap = None
+        _change_mix(queue, swap)
+
+
+def _change_mix(queue: PlayQueue, swap: MixChange) -> None:
+    """Begin to fade to a mix, or to silence."""
     queue.old, queue.old_position = queue.mix, queue.position
     queue.mix, queue.faded = swap.mix, 0
     if swap.mix is not None:
-        queue.busy = True
         queue.position = _position_in(swap.mix, swap, queue)
         queue.changed_s = perf_counter()
         queue.waited_s = queue.changed_s - swap.requested_s
@@ -883,7 +903,7 @@ def _end_after_last_sample(queue: PlayQueue) -> None:
             return
     if queue.rests is None:
         queue.ending = Ending(reason="stopped" if mix is None else "end")
-    elif queue.busy:
+    elif queue.busy and queue.due is None:
         queue.mix, queue.busy = None, False
         queue.rests()
 
@@ -892,6 +912,9 @@ def _end_after_last_sample(queue: PlayQueue) -> None:
 BLOCK_S = 0.005
 _GONE_AFTER_S = 2.0
 _LONGEST_WAIT_S = 1.0
+
+# The device calls a stream from its own thread, also where nothing else knows the stream any more.
+_OPEN: set["Stream"] = set()
 
 
 class Stream:
@@ -915,9 +938,10 @@ class Stream:
     closed
         Whether it was closed, so that ``finished`` need not be handled.
     answered
-        Set once the device has asked for samples.
-    inside_s
-        Time from the last block until it is heard, s.
+        Set once the device has asked for samples, and its clock goes.
+    inside_s, asked_s
+        Time from the last block until it is heard, s, and when it was asked for, in the clock of
+        the device.
 
     Raises
     ------
@@ -932,7 +956,7 @@ class Stream:
         self.queue, self.device = queue, device
         self.underruns, self.closed = 0, False
         self._silent, self._finished, self.answered = Event(), finished, Event()
-        self.inside_s = 0.0
+        self.inside_s = self.asked_s = 0.0
         self._position, self._clock = HeardPosition(queue.sample_rate_hz), DeviceClock()
         self._called_s = perf_counter()
         self._inside_s = 0.0
@@ -953,6 +977,7 @@ class Stream:
             )
         except self._library.PortAudioError as error:
             raise self._refusal(error) from error
+        _OPEN.add(self)
 
     def start(self) -> None:
         """Start playing.
@@ -978,6 +1003,7 @@ class Stream:
             self._silent.wait(_LONGEST_WAIT_S)
         # Closing a device that was unplugged fails, and that does not matter.
         self._stream.close(ignore_errors=True)
+        _OPEN.discard(self)
 
     def ahead_s(self) -> float:
         """Return how far the clock of the device is ahead of `time.perf_counter`, s."""
@@ -1012,20 +1038,21 @@ class Stream:
 
     def _fill(self, out: Frames, frames: int, times: Any, status: Any) -> None:
         self._called_s = perf_counter()
-        self._clock.note(times.currentTime, self._called_s)
+        steady = self._clock.note(times.currentTime, self._called_s)
         self.underruns += bool(status.output_underflow)
         queue = self.queue
         inside_s = times.outputBufferDacTime - times.currentTime
         if inside_s <= 0.0:
             # Some systems do not say when a block is heard.
             inside_s = self._stream.latency
-        self.inside_s = inside_s
+        self.inside_s, self.asked_s = inside_s, times.currentTime
         heard_s = times.currentTime + inside_s
         queue.begin_due(heard_s, frames)
         next_block(queue, out)
         self._position.note(heard_s, queue.began_at, queue.began_in)
         if queue.changed_s != self._changed_s:
             self._changed_s, self._inside_s = queue.changed_s, inside_s
-        self.answered.set()
+        if steady:
+            self.answered.set()
         if queue.silent:
             raise self._library.CallbackStop

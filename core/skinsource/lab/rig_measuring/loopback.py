@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 
+from skinsource.actuators.measuring import exponential_sweep, lag_of
 from skinsource.base.arguments import checking, integer
 from skinsource.base.conventions import Floats, Indices
 from skinsource.base.errors import PlaybackError
@@ -13,11 +15,17 @@ from skinsource.base.job import Stop, never
 from skinsource.lab.playing.devices import Output, check_outputs, device_of, devices
 from skinsource.lab.playing.stream import mix_of
 from skinsource.lab.rig_measuring.duplex import Card, check_inputs, input_device_of, input_devices
-from skinsource.lab.rig_measuring.measurement import recording_of
+from skinsource.lab.rig_measuring.measurement import LONGEST_DELAY_S, recording_of
 
-_CLICK_S, _BETWEEN_S, _AMPLITUDE = 0.001, 0.2, 0.5
-# A click is higher than anything else in the recording, and than this share of full scale.
-_SEEN, _LEAST = 0.5, 1e-3
+# A click is a short sweep far above hum, told from noise by its shape.
+_CLICK_S, _BETWEEN_S, _AMPLITUDE = 0.01, 0.2, 0.5
+_LOWEST_HZ, _HIGHEST_SHARE = 500.0, 0.35
+# What is recorded after the start of the last click.
+_LAST_S = LONGEST_DELAY_S + 0.1
+# Clicks are so many times stronger than the noise, and than this share of full scale.
+_ABOVE, _LEAST = 8.0, 1e-3
+# Clicks differ by less, and one that is weaker than this share of the others was not heard.
+_MOST_JITTER_S, _SEEN = 0.005, 0.5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -107,11 +115,7 @@ def loopback(
         check_inputs(inputs, integer("source", recorded, 1, 1024))
     n_inputs = max(recorded for _, recorded in cables)
     card = Card(device=played_on, inputs=inputs, n_inputs=n_inputs, latency_s=asked.latency_s)
-    step = round(_BETWEEN_S * rate_hz)
-    row = np.zeros((number + 2) * step)
-    clicks: Indices = step * np.arange(1, number + 1)
-    for at in clicks:
-        row[at : at + round(_CLICK_S * rate_hz)] = _AMPLITUDE
+    click, starts, row = clicks(number, rate_hz)
     outputs = list(dict.fromkeys(played for played, _ in cables))
     mix = mix_of(
         np.tile(row, (len(outputs), 1)),
@@ -123,7 +127,7 @@ def loopback(
     recording, shift_s = recording_of(mix, card, 0.0, stop, lambda _: None)
     found = []
     for played, recorded in cables:
-        found.append(lags(recording[recorded - 1], clicks) / rate_hz)
+        found.append(lags(recording[recorded - 1], click, starts, rate_hz) / rate_hz)
         if not np.isfinite(found[-1]).any():
             raise PlaybackError(
                 f"Input {recorded} of {inputs.name} heard nothing of output {played}. Check the "
@@ -134,21 +138,53 @@ def loopback(
     return Loopback(round_trips_s=found[0], behind_s=behind_s, later_s=later_s)
 
 
-def lags(recorded: Floats, clicks: Indices) -> Floats:
-    """Return how many samples after each click it is seen, (n_clicks,); NaN where it is not.
+def clicks(number: int, rate_hz: int) -> tuple[Floats, Indices, Floats]:
+    """Return the samples of a click, where clicks start, and all of them until the last is back."""
+    swept_hz = (_LOWEST_HZ, _HIGHEST_SHARE * rate_hz)
+    sweep = exponential_sweep(swept_hz, _CLICK_S, rate_hz)
+    click = _AMPLITUDE * np.hanning(sweep.size) * sweep
+    starts: Indices = round(_BETWEEN_S * rate_hz) * np.arange(1, number + 1)
+    return click, starts, _row(click, starts, starts[-1] + round(_LAST_S * rate_hz))
+
+
+def _row(click: Floats, starts: Indices, n_times: int) -> Floats:
+    row = np.zeros(n_times)
+    for start in starts:
+        row[start : start + click.size] = click
+    return row
+
+
+def lags(recorded: Floats, click: Floats, starts: Indices, rate_hz: int) -> Floats:
+    """Return how many samples after it was played each click came back, (n_clicks,).
+
+    It may lie between two samples; NaN where the click was not heard.
 
     Parameters
     ----------
     recorded : (n_times,)
         What was recorded, from the first played sample on.
-    clicks : (n_clicks,)
+    click : (n_click,)
+        Samples of a click.
+    starts : (n_clicks,)
         Samples at which clicks were played.
+    rate_hz
+        Of all of them.
     """
-    size = np.abs(recorded - np.median(recorded))
-    least = max(_SEEN * float(size.max(initial=0.0)), _LEAST)
-    found = np.full(len(clicks), np.nan)
-    for number, part in enumerate(np.split(size, clicks)[1:]):
-        seen = np.flatnonzero(part >= least)
-        if seen.size:
-            found[number] = seen[0]
+    found = np.full(len(starts), np.nan)
+    length = scipy.fft.next_fast_len(2 * recorded.size, real=True)
+    sent = scipy.fft.rfft(_row(click, starts, recorded.size), length)
+    came = scipy.fft.rfft(recorded, length)
+    common = scipy.fft.irfft(sent.conj() * came, length)[: round(LONGEST_DELAY_S * rate_hz) + 1]
+    size, energy = np.abs(common), float(click @ click)
+    rough = int(size.argmax())
+    heard = _AMPLITUDE * size[rough] / (energy * len(starts))
+    if heard < _LEAST or size[rough] < _ABOVE * float(np.median(size)):
+        return found
+    most = round(_MOST_JITTER_S * rate_hz)
+    padded, strengths = np.pad(click, most), np.zeros(len(starts))
+    for number, begin in enumerate(starts + rough - most):
+        part = np.copysign(1.0, common[rough]) * recorded[begin : begin + padded.size]
+        lag = lag_of(padded, part, most)
+        found[number], strengths[number] = rough + lag, padded @ np.roll(part, -round(lag))
+    found[strengths < _SEEN * np.median(strengths)] = np.nan
     return found

@@ -78,7 +78,7 @@ INPUT = NumberSpec(
     label="Input", minimum=1, maximum=MOST_OUTPUTS, whole=True, hint="Where the accelerometer is"
 )
 LOOPBACK = NumberSpec(
-    label="Loop-back input",
+    label="Loopback input",
     minimum=0,
     maximum=MOST_OUTPUTS,
     whole=True,
@@ -149,7 +149,7 @@ class MeasuringSetup:
             )
         if self.loopback_input == self.input_number:
             raise InvalidInputError(
-                f"input {self.input_number} is that of the accelerometer, and the loop-back's; "
+                f"input {self.input_number} is that of the accelerometer, and the loopback's; "
                 "expected two inputs"
             )
 
@@ -289,7 +289,7 @@ class ChannelMeasurement:
         From playing a sample to recording it: through the device, actuator and sensor; with two
         devices it contains the difference of their starts.
     delay_by_wire
-        Whether the delay was measured with a loop-back; otherwise it follows from the phase.
+        Whether the delay was measured with a loopback; otherwise it follows from the phase.
     played_on, recorded_from
         Names of the devices.
     clock_ppm
@@ -330,7 +330,7 @@ class ChannelMeasurement:
     def lines(self) -> tuple[str, ...]:
         """Report of the measurement, in sentences."""
         points = self.response.points
-        by = "the loop-back" if self.delay_by_wire else "the phase"
+        by = "the loopback" if self.delay_by_wire else "the phase"
         typical, worst = 100.0 * np.median(self.error), 100.0 * np.max(self.error)
         left_out = f"; {self.n_left_out} under the noise are left out" if self.n_left_out else ""
         sentences = [
@@ -351,7 +351,7 @@ class ChannelMeasurement:
         if self.misfit_rad > _DOUBTFUL_RAD:
             sentences.append(
                 f"Its phase is doubtful: gain and delay leave {np.degrees(self.misfit_rad):.0f}° "
-                "unexplained. Wire a loop-back, or check the sensor."
+                "unexplained. Wire a loopback, or check the sensor."
             )
         return tuple(sentences)
 
@@ -509,7 +509,7 @@ def _margin(channel: RigChannel, row: Floats, rate_hz: int, level_db: float) -> 
     else:
         advice = f"choose a level of {_rounded_down(20.0 * log10(margin.factor))} dB or less"
     raise InvalidInputError(
-        f"at {_minus(f'{level_db:g}')} dB the sweep would pass a limit of the rig "
+        f"at {minus(f'{level_db:g}')} dB the sweep would pass a limit of the rig "
         f"({margin.words}); {advice}"
     )
 
@@ -602,7 +602,7 @@ def _check_level(bench: Bench, recorded: Floats, noise: Floats, level_db: float)
 
 def _clipping_error(number: int, what: str, level_db: float, advice: str) -> InvalidInputError:
     return InvalidInputError(
-        f"input {number} {what} at {_minus(f'{level_db:g}')} dB; choose {advice}, or turn the gain "
+        f"input {number} {what} at {minus(f'{level_db:g}')} dB; choose {advice}, or turn the gain "
         "of that input down"
     )
 
@@ -614,7 +614,7 @@ def _averaged_from(
     setup, latest = bench.setup, round(LONGEST_DELAY_S * bench.rate_hz)
     ratio = 1.0
     if bench.card.two_clocks:
-        # The loop-back has the best signal.
+        # The loopback has the best signal.
         number = setup.loopback_input or setup.input_number
         still = recorded[number - 1] - noise[number - 1].mean()
         ratio = clock_ratio(still, start, bench.period, repeats)
@@ -644,8 +644,9 @@ def _response(averaged: AveragedResponse) -> MeasuredResponse:
 
 def _rounded_down(decibels_: float) -> str:
     """Return decibels as text, rounded down, so that the advised level is low enough."""
-    return _minus(f"{floor(10.0 * decibels_) / 10.0:.1f}")
+    return minus(f"{floor(10.0 * decibels_) / 10.0:.1f}")
 
 
-def _minus(text: str) -> str:
+def minus(text: str) -> str:
+    """Return a text with proper minus signs."""
     return text.replace("-", "\u2212")

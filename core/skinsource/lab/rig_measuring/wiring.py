@@ -17,7 +17,7 @@ from skinsource.base.files import FilePath, write_bytes
 from skinsource.export import plot
 from skinsource.export.wiring import draw_table, new_page
 from skinsource.lab.rig_measuring.loopback import Loopback
-from skinsource.lab.rig_measuring.measurement import ChannelMeasurement
+from skinsource.lab.rig_measuring.measurement import ChannelMeasurement, minus
 
 #: Channels that differ by more do not focus as predicted: 1 ms costs 10 dB at 400 Hz.
 LARGEST_DELAY_S = 1e-4
@@ -25,6 +25,8 @@ LARGEST_DELAY_S = 1e-4
 GAIN_AT_HZ = 100.0
 _COLUMNS = ("Output", "Place", "Felt at", "Polarity", "Gain at 100 Hz", "Delay", "Jitter")
 _OPEN = "not checked"
+# In parts of the printed page: where sentences begin, height of each, and of all at most.
+_TOP, _LINE, _MOST = 0.94, 0.012, 0.45
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,6 +62,11 @@ class ChannelCheck:
     jitter_s: float | None = None
 
     @property
+    def misplaced(self) -> bool:
+        """Whether it was felt at another place than the rig says."""
+        return self.reported_place not in (None, self.place)
+
+    @property
     def cells(self) -> tuple[str, ...]:
         """The row of the printed table."""
         polarity = {None: _OPEN, False: "as the rig says", True: "opposite"}[self.inverted]
@@ -70,7 +77,7 @@ class ChannelCheck:
             _OPEN if self.reported_place is None else f"{self.reported_place}",
             polarity,
             _OPEN if self.gain is None else f"{self.gain:.3g} m/s² per V",
-            _OPEN if self.delay_s is None else f"{self.delay_s * 1e3:.3f} ms{against}",
+            _OPEN if self.delay_s is None else minus(f"{self.delay_s * 1e3:z.3f} ms{against}"),
             _OPEN if self.jitter_s is None else f"{self.jitter_s * 1e3:.3f} ms",
         )
 
@@ -116,10 +123,10 @@ class WiringCheck:
 
     @property
     def sentences(self) -> tuple[str, ...]:
-        """What is not as the rig says, and which channels are not within 0.1 ms of each other."""
+        """What is not as the rig says, and which channels are not within 0.1 ms of the others."""
         said = []
         for channel in self.channels:
-            if channel.reported_place not in (None, channel.place):
+            if channel.misplaced:
                 said.append(
                     f"Output {channel.output} moves place {channel.reported_place}, and the rig "
                     f"says place {channel.place}."
@@ -128,16 +135,27 @@ class WiringCheck:
                 said.append(
                     f"Output {channel.output} (place {channel.place}) moves against its polarity."
                 )
-        delays = {each.output: each.delay_s for each in self.channels if each.delay_s is not None}
-        middle_s = float(np.median(list(delays.values()))) if delays else 0.0
-        for output, delay_s in delays.items():
-            if abs(delay_s - middle_s) > LARGEST_DELAY_S:
+            if channel.jitter_s is not None and channel.jitter_s > LARGEST_DELAY_S:
                 said.append(
-                    f"Output {output} is {abs(delay_s - middle_s) * 1e3:.2f} ms "
-                    f"{'later' if delay_s > middle_s else 'earlier'} than the others: focusing "
-                    "needs 0.1 ms."
+                    f"Output {channel.output} varies by {channel.jitter_s * 1e3:.2f} ms, and "
+                    "focusing needs 0.1 ms: close other programs, or choose another card."
                 )
+        for against in dict.fromkeys(channel.against for channel in self.channels):
+            said += _late(self._delays_s(against))
         return tuple(said)
+
+    def _delays_s(self, against: int | None) -> dict[int, float]:
+        """Return delays by output that were measured with this reference, or without any."""
+        delays_s = {} if against is None else {against: 0.0}
+        for channel in self.channels:
+            if channel.delay_s is not None and channel.against == against:
+                delays_s[channel.output] = channel.delay_s
+        return delays_s
+
+    @property
+    def wrong(self) -> bool:
+        """Whether places or polarities are not as the rig says."""
+        return any(channel.misplaced or channel.inverted for channel in self.channels)
 
     def corrected(self, rig: Rig) -> Rig:
         """Return a rig whose places and polarities are those that were found.
@@ -150,6 +168,20 @@ class WiringCheck:
         found = {channel.output: channel for channel in self.channels}
         return replace(rig, channels=tuple(_corrected(each, found) for each in rig.channels))
 
+    def opened(self, rig: Rig) -> WiringCheck:
+        """Return it for the corrected rig: what that changed is to be checked again."""
+        places = {channel.output: channel.place for channel in rig.channels}
+        channels = (
+            replace(
+                each,
+                place=places.get(each.output, each.place),
+                reported_place=None if each.misplaced else each.reported_place,
+                inverted=None if each.inverted else each.inverted,
+            )
+            for each in self.channels
+        )
+        return replace(self, channels=tuple(channels))
+
     def _with(self, output: int, **changes: object) -> WiringCheck:
         if output not in {channel.output for channel in self.channels}:
             raise InvalidInputError(f"output is {output}, expected one that the rig wires")
@@ -158,6 +190,25 @@ class WiringCheck:
             for each in self.channels
         )
         return replace(self, channels=tuple(channels))
+
+
+def _late(delays_s: Mapping[int, float]) -> list[str]:
+    """Return a sentence for each output outside the largest group that is within 0.1 ms."""
+    groups = [
+        [other for other in delays_s.values() if 0.0 <= other - first <= LARGEST_DELAY_S]
+        for first in delays_s.values()
+    ]
+    group = max(groups, key=len, default=[])
+    said = []
+    for output, delay_s in delays_s.items():
+        if delay_s not in group:
+            later_s = delay_s - float(np.median(group))
+            said.append(
+                f"Output {output} is {abs(later_s) * 1e3:.2f} ms "
+                f"{'later' if later_s > 0.0 else 'earlier'} than the others, and focusing needs "
+                "0.1 ms: set Delay in the rig."
+            )
+    return said
 
 
 def _corrected(channel: RigChannel, found: Mapping[int, ChannelCheck]) -> RigChannel:
@@ -225,11 +276,14 @@ def save_wiring_check(check: WiringCheck, path: FilePath) -> None:
     title = f"Wiring of {check.title}" if check.title else "Wiring"
     with plot.style():
         figure = new_page(f"{title}, checked on {check.checked_on}")
-        rows = [channel.cells for channel in check.channels]
-        draw_table(figure.add_axes((0.08, 0.24, 0.84, 0.68)), _COLUMNS, rows)
         known = any(set(channel.cells[2:]) != {_OPEN} for channel in check.channels)
         right = "All that was checked is as the rig says." if known else "Nothing is checked yet."
         said = check.sentences or (right,)
-        figure.text(0.08, 0.2, "\n".join(said), fontsize=8, va="top", parse_math=False)
+        line = min(_LINE, _MOST / len(said))
+        size = 8.0 * line / _LINE
+        figure.text(0.08, _TOP, "\n".join(said), fontsize=size, va="top", parse_math=False)
+        rows = [channel.cells for channel in check.channels]
+        below = _TOP - 0.02 - line * len(said)
+        draw_table(figure.add_axes((0.08, 0.04, 0.84, below - 0.04)), _COLUMNS, rows)
         content_bytes = plot.figure_content(figure, kind)
     write_bytes(Path(path), content_bytes)
