@@ -528,7 +528,7 @@ NAN = float("nan")
         (edits.add_clip(DESIGN, VIEW, 1, 0.0, None), "waveform"),
         (edits.add_clip(FULL, VIEW, 1, 0.0, Tap()), "at most 1000 clips"),
         (edits.move_clips(DESIGN, VIEW, (9,), 0.1), "No clip is selected"),
-        (edits.move_clips(DESIGN, VIEW, (1,), NAN), "a number of seconds"),
+        (edits.move_clips(DESIGN, VIEW, (1,), NAN), "a number from 0 to 600 s"),
         (edits.repeat_clips(DESIGN, VIEW, (1,), 10**9), "1000"),
         (edits.split_clips(DESIGN, VIEW, (1,), 0.05), "None of the selected clips plays at 0.05"),
         (edits.split_clips(DESIGN, VIEW, (1,), 0.1), "The selected clip begins at 0.1 s"),

@@ -143,7 +143,7 @@ def test_a_new_part_of_layers_is_a_clip_of_any_waveform():
         made = new_part(PARTS.of, kind.__name__)
         assert type(made) is Clip
         assert type(made.waveform) is kind
-    with pytest.raises(InvalidInputError, match="Clip is 'Fade', expected one of Tone, Chirp"):
+    with pytest.raises(InvalidInputError, match="Clip 'Fade' is not known; choose from Tone"):
         new_part(PARTS.of, "Fade")
     short = Clip(waveform=Tone(100.0, duration_s=0.02))
     assert new_part(EFFECT_LIST.of, "Fade", short) == Fade(0.005, 0.005)

@@ -14,9 +14,9 @@ from skinsource.engine.time_rules import (
     BLOCK_S,
     Moving,
     SlidingEnergy,
-    _window_of,
     _z_axis,
     block_of,
+    moving_window,
 )
 from skinsource.signals.resampling import (
     EXTREMES_ERROR,
@@ -133,11 +133,11 @@ def test_of_a_long_design_two_blocks_are_kept_which_are_its_traces():
 
 def test_windows_overlap_by_a_block():
     for block in range(4):
-        first, end = _window_of(block, 10**6, RATE)
-        following, _ = _window_of(block + 1, 10**6, RATE)
+        first, end = moving_window(block, 10**6, None, RATE)
+        following, _ = moving_window(block + 1, 10**6, None, RATE)
         assert end - following >= BLOCK_S * RATE
         assert first <= max(block * BLOCK_S - 0.9, 0.0) * RATE
-    assert _window_of(9, 1000, RATE) == (1000, 1000)
+    assert moving_window(9, 1000, None, RATE) == (1000, 1000)
     assert [block_of(time_s) for time_s in (-1.0, 0.0, BLOCK_S, 2.5 * BLOCK_S)] == [0, 0, 1, 2]
 
 

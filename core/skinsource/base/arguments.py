@@ -15,7 +15,7 @@ from types import UnionType
 from typing import Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError, SkinSourceError, quoted
@@ -70,7 +70,9 @@ def real_array(name: str, values: ArrayLike, expected: str = "real numbers") -> 
             f"{name} cannot be read as one array of real numbers: found {quoted(values)}, expected "
             f"{expected}"
         )
-    return _as_floats(array)
+    # A wider float may not fit; it becomes infinite, which the checks that follow find.
+    with np.errstate(over="ignore"):
+        return array.astype(np.float64, copy=False)
 
 
 def finite_array(
@@ -256,12 +258,6 @@ def _fits(value: Any, hint: Any) -> bool:
         return len(value) == len(parts) and all(map(_fits, value, parts))
     # Others may be without end.
     return not (isinstance(value, list | tuple) and parts) or all(_fits(v, parts[0]) for v in value)
-
-
-def _as_floats(array: NDArray[np.generic]) -> Floats:
-    # A wider float may not fit; it becomes infinite, which the checks that follow find.
-    with np.errstate(over="ignore"):
-        return array.astype(np.float64, copy=False)
 
 
 def _float_or_none(value: object) -> float | None:

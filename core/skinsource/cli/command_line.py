@@ -64,21 +64,17 @@ def _parser() -> argparse.ArgumentParser:
         prog="skinsource",
         description="Design vibrotactile stimuli and see how they travel across the hand and arm.",
         epilog="skinsource COMMAND --help explains a command.",
-        formatter_class=_Help,
+        formatter_class=CommandsFormatter,
     )
     parser.add_argument("--version", action="version", version=f"skinsource {__version__}")
     subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    _Help.titles = {}
+    CommandsFormatter.titles = {}
     for title, modules in _COMMAND_MODULES.items():
         n_before = len(subparsers.choices)
         for module in modules:
             module.add_to(subparsers)
-        _Help.titles[list(subparsers.choices)[n_before]] = title
+        CommandsFormatter.titles[list(subparsers.choices)[n_before]] = title
     return parser
-
-
-class _Help(CommandsFormatter):
-    """The help page of the whole program."""
 
 
 def _explain(text: str, code: int) -> int:

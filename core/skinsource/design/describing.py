@@ -58,10 +58,7 @@ def full_label(waveform: Waveform) -> str:
         value = getattr(waveform, name)
         if isinstance(spec, NumberSpec) and name not in _LABELLED and spec.unit != "rad":
             number = value_text(value, spec.unit, digits=4)
-            if not any(
-                figure.endswith(f" {ending}")
-                for ending in (number, f"{spec.label.lower()} {number}")
-            ):
+            if not figure.endswith(f" {number}"):
                 more.append(f"{spec.label.lower()} {number}")
         elif isinstance(spec, ChoiceSpec) and name != "window" and value != spec.options[0][0]:
             more.append(f"{spec.label.lower()} {dict(spec.options)[value].lower()}")

@@ -16,6 +16,7 @@ from skinsource.base.arguments import brief, checking
 from skinsource.base.conventions import MOST_LOCATIONS, Axes
 from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.design import labels
+from skinsource.design.clips import GAIN as CLIP_GAIN
 from skinsource.design.clips import ID, LATEST_S, MAX_CLIPS, PLACE, Clip, Marker, numbered
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.tones import Tone
@@ -43,13 +44,7 @@ if TYPE_CHECKING:  # motions write inputs
 MAX_INPUTS = 100
 MAX_MARKERS = 1000
 
-AMPLITUDE = NumberSpec(
-    label="Amplitude",
-    minimum=-1000.0,
-    maximum=1000.0,
-    step=0.05,
-    hint="A negative amplitude inverts the polarity",
-)
+AMPLITUDE = replace(CLIP_GAIN, label="Amplitude", hint="A negative amplitude inverts the polarity")
 #: For an input whose amplitude is a plain factor, see `skinsource.design.amplitudes.is_gain`.
 AMPLITUDE_GAIN = replace(
     AMPLITUDE,

@@ -6,6 +6,7 @@ A motion is a frozen dataclass with fields from `skinsource.specs.fields`, and e
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -14,7 +15,7 @@ from math import degrees, pi, remainder, sqrt
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
 from skinsource.base.errors import InvalidInputError, counted, quoted
-from skinsource.design.clips import PLACE, Clip
+from skinsource.design.clips import ONSET, PLACE, Clip
 from skinsource.design.design import AMPLITUDE, Input
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.time import Trim
@@ -94,9 +95,7 @@ PATH = ListSpec(
     editable=False,
 )
 WAVEFORM = ModelSpec(label="Waveform", kinds=kinds, hint="What plays at each place")
-START = NumberSpec(
-    label="Start", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="When it begins"
-)
+START = replace(ONSET, label="Start", hint="When it begins")
 SPACING = NumberSpec(
     label="Spacing",
     unit="s",
@@ -186,14 +185,13 @@ def path_of(text: str) -> tuple[int, ...]:
     InvalidInputError
         A part of the text is not the number of a place.
     """
-    parts = text.replace(",", " ").replace(";", " ").replace("-", " ").replace("→", " ").split()
-    wrong = next((part for part in parts if not (part.isascii() and part.isdigit())), None)
-    if wrong is not None or any(len(part) > 3 for part in parts):
-        bad_word = wrong if wrong is not None else max(parts, key=len)
-        raise InvalidInputError(
-            f"the path has {quoted(bad_word)}, expected numbers of places, as in 16, 18, 20"
-        )
-    return tuple(int(part) for part in parts)
+    parts = re.findall(r"[^\s,;→-]+", text)
+    for part in parts:
+        if not re.fullmatch(r"[0-9]{1,3}", part):
+            raise InvalidInputError(
+                f"the path has {quoted(part)}, expected numbers of places, as in 16, 18, 20"
+            )
+    return tuple(map(int, parts))
 
 
 ROUNDS = NumberSpec(
@@ -386,10 +384,9 @@ class Phantom(fields.CheckedModel):
         )
 
 
-OVERLAP = NumberSpec(
+OVERLAP = replace(
+    POSITION,
     label="Overlap",
-    minimum=0.0,
-    maximum=1.0,
     step=0.05,
     hint="Share of each step in which both places play; 0: none",
 )
@@ -474,9 +471,7 @@ class Sweep:
         return {"onset_s": self.onset_s + begin_s, "effects": (trim, fade)}
 
 
-TAPS = NumberSpec(
-    label="Taps", minimum=1, maximum=200, whole=True, hint="Number of taps at each place"
-)
+TAPS = replace(ROUNDS, label="Taps", hint="Number of taps at each place")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -201,7 +201,10 @@ def find(folder: Path) -> Found:
                 moved = set_aside(copy)
                 aside += [moved] if moved else []
         if copies:
-            works.append(_unsaved_work(session_folder, copies))
+            numbered = _NUMBERED.fullmatch(copies[0].name)
+            name = numbered[1] if numbered else copies[0].stem
+            file, saved_s = _file_of(session_folder), _written_s(copies[0])
+            works.append(UnsavedWork(name, tuple(copies), file, saved_s))
         else:
             _remove_if_empty(session_folder)
     works.sort(key=lambda work: work.saved_s, reverse=True)
@@ -284,12 +287,6 @@ def _written_s(path: Path) -> float:
         return path.stat().st_mtime
     except OSError:
         return 0.0
-
-
-def _unsaved_work(folder: Path, copies: list[Path]) -> UnsavedWork:
-    numbered = _NUMBERED.fullmatch(copies[0].name)
-    name = numbered[1] if numbered else copies[0].stem
-    return UnsavedWork(name, tuple(copies), _file_of(folder), _written_s(copies[0]))
 
 
 def _file_of(folder: Path) -> Path | None:

@@ -262,7 +262,11 @@ def placed_signal_path(
                 clip.waveform, clip.effects, clip.onset_s, sample_rate_hz
             )
             entries.append((first_sample, shift_s, clip.gain, clip))
-    _sort_entries(entries)
+    # The last digit of a sum depends on the order of its terms: clips that are equal in start,
+    # shift and gain are sorted by their texts.
+    entries.sort(key=_position)
+    if len(set(map(_position, entries))) < len(entries):
+        entries.sort(key=lambda entry: (*_position(entry), repr(entry[3])))
     first = entries[0][0] if entries else 0
     parts = tuple(
         Part(
@@ -292,16 +296,6 @@ def drive_of_clips(
         return played(part.waveform, part.effects, sample_rate_hz, part.shift_s)
 
     return first, drive_played(signal_path, sample_rate_hz, place, drawn)
-
-
-def _sort_entries(entries: list[tuple[int, float, float, Clip]]) -> None:
-    """Sort by start, shift and gain; entries that are equal in these by the text of their clips.
-
-    The last digit of a sum depends on the order of its terms.
-    """
-    entries.sort(key=_position)
-    if len(set(map(_position, entries))) < len(entries):
-        entries.sort(key=lambda entry: (*_position(entry), repr(entry[3])))
 
 
 def _position(entry: tuple[int, float, float, Clip]) -> tuple[int, float, float]:

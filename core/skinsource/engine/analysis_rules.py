@@ -19,10 +19,10 @@ from skinsource.design.signal_path import Drive, UnplayableInput, Voice, unplaya
 from skinsource.engine import level_rules
 from skinsource.engine.actuator_demand import Demand, demand_of, profile_of
 from skinsource.engine.gains import Placed, Responses
-from skinsource.engine.moments import Moments, Projection, energies_of
+from skinsource.engine.moments import Moments, Projection
 from skinsource.engine.spectra import TotalSpectrum
 from skinsource.engine.streaming import StreamedVibration, Vibration, loudest_energies
-from skinsource.engine.transforms import Played, forward, transform_length
+from skinsource.engine.transforms import Played, forward
 from skinsource.limbs.limb import PUBLISHED, Limb
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
 from skinsource.limbs.surface.operator import SurfaceOperator
@@ -129,18 +129,12 @@ def noise_energy(
     noise = _noise_of_places(place_drives, limb_data)
     if noise is None:
         return None
-    energies = {
-        location: _energy_after(played, _noise_path(limb_data, scaling, actuation, location))
-        for location, played in place_drives
-    }
+    energies = {}
+    for location, played in place_drives:
+        path = _noise_path(limb_data, scaling, actuation, location)
+        shaped = scipy.signal.oaconvolve(played, path)
+        energies[location] = float(np.vecdot(shaped, shaped))
     return match_gain**2 * predicted_noise_energy(energies, noise, limb_data.n_taps)
-
-
-def _energy_after(played: Floats, path: Floats) -> float:
-    # By Parseval: each stimulus of a sweep asks for it.
-    n_fft = transform_length(played.size + path.size - 1)
-    spectrum = scipy.fft.rfft(played, n_fft) * scipy.fft.rfft(path, n_fft)
-    return float(energies_of(spectrum[None], n_fft)[0])
 
 
 def output_noise_rms(
@@ -226,19 +220,6 @@ def _noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, locat
         return path
     transfers = transfers_of(actuation, rate, limb.band_hz)
     return scipy.signal.oaconvolve(path, transfers[actuation.at(location).place].samples)
-
-
-def _shaped_drives(
-    place_drives: tuple[tuple[int, Floats], ...],
-    limb: Limb,
-    scaling: Scaling,
-    actuation: Actuation | None,
-) -> dict[int, Floats]:
-    """Return the drives that noise is convolved with, by location, after its path `_noise_path`."""
-    return {
-        location: scipy.signal.oaconvolve(played, _noise_path(limb, scaling, actuation, location))
-        for location, played in place_drives
-    }
 
 
 def single_axes(limb_data: Limb) -> tuple[Projection, ...]:
@@ -701,7 +682,12 @@ def noise_rms_of_windows(
     n_taps = limb_data.n_taps
     delay = n_taps // 2 if _divided_by_pulse(limb_data, scaling) else 0
     later = replace(windows, first_sample=windows.first_sample + delay)
-    drives = _shaped_drives(place_drives, limb_data, scaling, actuation)
+    drives = {
+        location: scipy.signal.oaconvolve(
+            played, _noise_path(limb_data, scaling, actuation, location)
+        )
+        for location, played in place_drives
+    }
     energy = windowed_noise_energy(drives, noise, n_taps, later)
     return match_gain * _projected_rms(energy, projection, windows.window_samples)
 

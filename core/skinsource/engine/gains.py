@@ -8,6 +8,7 @@ import math
 import sys
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import chain, repeat
 from sys import getsizeof
 from threading import Lock
@@ -166,9 +167,33 @@ def peaks_of(
     for line, drive in zip(padded, drives, strict=True):
         line[: drive.size] = drive
     bounds = channel_bounds(padded, np.array(spectra), responses, tight=tight)
+
+    def signals(voice: NDArray[np.int64], channel: NDArray[np.int64]) -> Floats:
+        return _signals(spectra, responses, np.bincount(voice, minlength=len(spectra)), channel)
+
+    return _search(bounds, signals, -np.inf, stop)
+
+
+def _search(
+    bounds: Floats,
+    signals: Callable[[NDArray[np.int64], NDArray[np.int64]], Floats],
+    least: float,
+    stop: Stop,
+) -> list[Peak]:
+    """Return the signed maximum of each vibration, from few of its channels.
+
+    Parameters
+    ----------
+    bounds : (n_vibrations, n_channels)
+        Bound of the samples of each channel.
+    signals
+        Returns channels, (n, n_times), by vibration and channel, (n,) each, in their order.
+    least
+        Maxima up to here are not searched; their channel and sample mean nothing.
+    """
     order = np.argsort(-bounds, axis=-1, kind="stable")
-    peaks = [Peak(-np.inf) for _ in spectra]
-    largest = np.full(len(peaks), -np.inf)
+    peaks = [Peak(least) for _ in bounds]
+    largest = np.full(len(peaks), least)
     begin = 0
     for batch in chain(_BATCHES, repeat(_BATCHES[-1])):
         stop_if(stop)
@@ -179,9 +204,10 @@ def peaks_of(
             return peaks
         voice = np.nonzero(searched)[0]
         channel = chosen[searched]
-        signals = _signals(spectra, responses, np.bincount(voice, minlength=len(peaks)), channel)
-        time = signals.argmax(axis=-1)
-        value = signals[np.arange(time.size), time]
+        found = signals(voice, channel)
+        tally(search_transforms=channel.size)
+        time = found.argmax(axis=-1)
+        value = found[np.arange(time.size), time]
         for row in np.flatnonzero(value > largest[voice]).tolist():
             k = int(voice[row])
             if value[row] > largest[k]:
@@ -203,7 +229,6 @@ def _signals(
         begin, end = end, end + count
         if count:
             np.multiply(response.rows[channels[begin:end]], spectrum, out=products[begin:end])
-    tally(search_transforms=channels.size)
     return inverse(products, responses[0].n_fft)
 
 
@@ -221,48 +246,22 @@ def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> 
             segments = np.array(list(sounding.values()))
             spectra = forward(segments, cut.n_fft)
             bounds = channel_bounds(segments, spectra, [response] * len(segments))
-            peak = _search(spectra, response, bounds, list(sounding), peak, stop)
+            # All blocks are channels of one vibration.
+            signals = partial(_signals_of_blocks, spectra, response)
+            (found,) = _search(bounds.reshape(1, -1), signals, peak.value, stop)
+            if found.value > peak.value:
+                block, channel = divmod(found.channel, bounds.shape[-1])
+                peak = Peak(found.value, channel, list(sounding)[block] + found.time)
     return peak
 
 
-def _search(
-    spectra: Complexes,
-    response: ResponseSpectrum,
-    bounds: Floats,
-    starts: list[int],
-    peak: Peak,
-    stop: Stop,
-) -> Peak:
-    """Return the largest sample of blocks of a vibration, or ``peak`` if none exceeds it.
-
-    Parameters
-    ----------
-    spectra : (n_blocks, n_bins)
-        Spectra of the blocks of the drive.
-    bounds : (n_blocks, n_channels)
-        Bound of the samples of each block and channel.
-    starts
-        First sample of the response in each block.
-    """
-    overlap = response.taps.shape[-1] - 1
-    flat = bounds.ravel()
-    order = np.argsort(-flat, kind="stable")
-    begin = 0
-    for batch in chain(_BATCHES, repeat(_BATCHES[-1])):
-        stop_if(stop)
-        chosen = order[begin : begin + batch]
-        begin += batch
-        chosen = np.sort(chosen[flat[chosen] > peak.value])
-        if chosen.size == 0:
-            break
-        block, channel = np.divmod(chosen, bounds.shape[-1])
-        signals = inverse(response.rows[channel] * spectra[block], response.n_fft)[:, overlap:]
-        tally(search_transforms=chosen.size)
-        row, time = divmod(int(signals.argmax()), signals.shape[-1])
-        if signals[row, time] > peak.value:
-            first = starts[block[row]]
-            peak = Peak(float(signals[row, time]), int(channel[row]), first + time)
-    return peak
+def _signals_of_blocks(
+    spectra: Complexes, response: ResponseSpectrum, _: object, channels: NDArray[np.int64]
+) -> Floats:
+    """Return channels of blocks of a vibration by their spectra, (n_blocks, n_bins)."""
+    block, channel = np.divmod(channels, len(response.rows))
+    products = response.rows[channel] * spectra[block]
+    return inverse(products, response.n_fft)[:, response.taps.shape[-1] - 1 :]
 
 
 # The reciprocal of a smaller number overflows.

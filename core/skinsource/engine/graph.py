@@ -124,7 +124,9 @@ class Graph:
         if name in known or name in steps:
             return
         if name not in self._rules:
-            raise UnknownQuantity(_unknown_quantity_text(name, self._rules))
+            close = get_close_matches(name, list(self._rules), n=1)
+            hint = f"; perhaps {quoted(close[0])} is meant" if close else ""
+            raise UnknownQuantity(f"no rule computes {quoted(name)}{hint}")
         for need in self._needs[name]:
             self._add(need, known, steps)
         # ``stop`` is passed on, but the result does not depend on it.
@@ -216,9 +218,3 @@ def _freeze(result: Any) -> None:
     elif isinstance(result, tuple):
         for part in result:
             _freeze(part)
-
-
-def _unknown_quantity_text(name: str, known: Iterable[str]) -> str:
-    close = get_close_matches(name, list(known), n=1)
-    hint = f"; perhaps {quoted(close[0])} is meant" if close else ""
-    return f"no rule computes {quoted(name)}{hint}"

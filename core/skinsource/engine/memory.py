@@ -112,8 +112,6 @@ TOTAL_BYTES = (
 #: Spectra that `skinsource.predict` remembers on top: twice those of twenty locations for stimuli
 #: of one second.
 PREDICT_BYTES = 128 * _MIB
-#: Gains that it remembers.
-PREDICT_GAINS_BYTES = 1 * _MIB
 
 
 # Linux begins memory of whole large pages where one begins.

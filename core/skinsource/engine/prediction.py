@@ -1,32 +1,29 @@
 """The prediction for plain drives: `predict`, without a design.
 
 The skin answers with the sum of the convolutions of drives and responses (eq. 1 of the SkinSource
-paper).  Spectra of responses and gains of drives are remembered for all threads, in bounded memory.
+paper).  Spectra of responses are remembered for all threads, in bounded memory.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import cache
-from hashlib import sha256
 from itertools import islice
-from weakref import ref
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.base.arguments import checking, real_array
-from skinsource.base.conventions import Complexes, Floats, check_input_location
+from skinsource.base.conventions import Floats, check_input_location
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
-from skinsource.engine.gains import Gains, unit_gain, unit_gains
-from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES
+from skinsource.engine.gains import unit_gain, unit_gains
+from skinsource.engine.memory import PREDICT_BYTES
 from skinsource.engine.spectra import (
     Response,
     ResponseSpectra,
-    ResponseSpectrum,
     actuated_limb,
     superpose,
 )
@@ -35,37 +32,6 @@ from skinsource.engine.transforms import Blocks, Played, forward, length_at_once
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling, check_scaling
-
-
-def _gains_of(
-    limb: Limb,
-    locations: Sequence[int],
-    drives: Sequence[Drive],
-    spectra: Sequence[Complexes],
-    responses: Sequence[ResponseSpectrum],
-) -> list[float]:
-    """Return the gain of each drive at its location; arguments as those of `unit_gains`."""
-    keys = [
-        (
-            ref(limb),
-            location,
-            response.n_fft,
-            drive.factor,
-            sha256(drive.samples.tobytes()).digest(),
-        )
-        for location, drive, response in zip(locations, drives, responses, strict=True)
-    ]
-
-    def compute(which: list[int]) -> list[float]:
-        return unit_gains(
-            [drives[k] for k in which],
-            [spectra[k] for k in which],
-            [responses[k] for k in which],
-            # Bounds by frequency cost more to prepare than the channels that they spare.
-            tight=False,
-        )
-
-    return _cached_gains().of(keys, compute)
 
 
 @checking
@@ -204,7 +170,8 @@ def _at_once(
         responses = _cached_spectra().of(limb, locations, scaling, n_fft)
         gains = [drive.factor for drive in drives]
         if scaling == "upstream":
-            gains = _gains_of(limb, locations, drives, spectra, responses)
+            # Bounds by frequency cost more to prepare than the channels that they spare.
+            gains = unit_gains(drives, spectra, responses, tight=False)
         superpose(
             responses,
             [
@@ -228,11 +195,6 @@ def _at_once(
 @cache
 def _cached_spectra() -> ResponseSpectra:
     return ResponseSpectra(PREDICT_BYTES)
-
-
-@cache
-def _cached_gains() -> Gains:
-    return Gains(PREDICT_GAINS_BYTES)
 
 
 def _checked_drives(drives: ArrayLike) -> Floats:

@@ -132,21 +132,17 @@ def block_of(time_s: float) -> int:
     return max(floor(time_s / BLOCK_S), 0)
 
 
-def _window_of(block: int, n_times: int, sample_rate_hz: float) -> Window:
-    """Return the samples that are kept for a block: it, the next block, and a second around."""
-    first = floor((block * BLOCK_S - _BEYOND_S) * sample_rate_hz)
-    end = floor(((block + 2) * BLOCK_S + _BEYOND_S) * sample_rate_hz)
-    first = min(max(first, 0), n_times)
-    return first, max(min(end, n_times), first)
-
-
 def moving_window(
     moving_block: int, response_samples: int, n_fft: int | None, sample_rate_hz: float
 ) -> Window:
     """First sample that is kept, and the sample after the last; all of a short response."""
     if n_fft is not None:
         return 0, response_samples
-    return _window_of(moving_block, response_samples, sample_rate_hz)
+    # The block, the next one, and a second around.
+    first = floor((moving_block * BLOCK_S - _BEYOND_S) * sample_rate_hz)
+    end = floor(((moving_block + 2) * BLOCK_S + _BEYOND_S) * sample_rate_hz)
+    first = min(max(first, 0), response_samples)
+    return first, max(min(end, response_samples), first)
 
 
 def moving_z(

@@ -437,7 +437,9 @@ def draw_map(
     ax.set_aspect("equal")
     ax.set_axis_off()
     if bar == "drawn":
-        _millimetre_bar(ax, float(high[0]), float(low[1]), _BAR_MM[part])
+        x, y = (float(high[0]) - _BAR_MM[part], float(high[0])), float(low[1]) - 0.35 * _BELOW_MM
+        ax.plot(x, (y, y), color=INK, lw=1.2)
+        ax.text(sum(x) / 2, y - 3.0, f"{_BAR_MM[part]:g} mm", ha="center", va="top", fontsize=6)
     if title:
         ax.set_title(title)
     return image
@@ -465,8 +467,10 @@ def _draw_field(ax: Any, levels: Levels, colours: Range, colour_map: str) -> tup
     surface, limb = levels.surface, levels.limb
     half = (surface.x_mm[1] - surface.x_mm[0]) / 2.0
     x, y = surface.x_mm, surface.y_mm
+    # Extended beyond the outline, which clips it, by the pixel inside that is nearest to each.
+    inside = surface.interpolate(levels.values)
     image = ax.imshow(
-        _extended_map(surface, levels.values),
+        inside[_nearest_inside(inside)],
         origin="lower",
         extent=(x[0] - half, x[-1] + half, y[0] - half, y[-1] + half),
         cmap=colour_map,
@@ -512,13 +516,6 @@ def bounds_of(limb: Limb, part: Part) -> tuple[Floats, Floats]:
     return outline.min(axis=0), outline.max(axis=0)
 
 
-def _extended_map(surface: SurfaceOperator, values: Floats) -> Floats:
-    """Return the map, (rows, columns), extended beyond the outline, which clips it later."""
-    inside = surface.interpolate(values)
-    rows, columns = _nearest_inside(inside)
-    return np.asarray(inside[rows, columns])
-
-
 def _nearest_inside(inside: Floats) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Return row and column of the pixel inside of the outline that is nearest to each pixel."""
     rows, columns = scipy.ndimage.distance_transform_edt(
@@ -545,12 +542,6 @@ def _mark(ax: Any, positions: Floats, numbers: tuple[int, ...], kind: str) -> No
                 fontsize=6,
                 bbox={"boxstyle": "round,pad=0.12", "fc": "white", "ec": "none", "alpha": 0.75},
             )
-
-
-def _millimetre_bar(ax: Any, right_mm: float, bottom_mm: float, long_mm: float) -> None:
-    x, y = (right_mm - long_mm, right_mm), bottom_mm - 0.35 * _BELOW_MM
-    ax.plot(x, (y, y), color=INK, lw=1.2)
-    ax.text(sum(x) / 2, y - 3.0, f"{long_mm:g} mm", ha="center", va="top", fontsize=6)
 
 
 # Height of a row in units of its curves: curves of adjacent rows do not touch.

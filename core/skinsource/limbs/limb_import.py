@@ -141,7 +141,11 @@ def prepare_limb(
         down = down or (points is not None and points.y_down)
         if points is not None and points.names and part != "outline":
             values[f"{part[:-1]}_names"] = points.names
-    _flip_vertically(values, source, down=down if source.y_down is None else source.y_down)
+    # Turned upwards, but not the points of the layout itself.
+    if down if source.y_down is None else source.y_down:
+        for part, field_name in POINT_FIELDS.items():
+            if getattr(source, part) is not None:
+                values[field_name] = np.asarray(values[field_name]) * (1.0, -1.0)
     values["n_taps"] = shape[3]
     try:
         _complete(values, shape)
@@ -214,13 +218,6 @@ def _layout_values(header: dict[str, Any]) -> dict[str, Any]:
         rows = [(np.nan, np.nan) if row is None else row for row in header[name]]
         values[name] = np.array(rows)
     return values
-
-
-def _flip_vertically(values: dict[str, Any], source: LimbSource, *, down: bool) -> None:
-    """Turn y upwards in the points that were given beside the layout."""
-    for part, field_name in POINT_FIELDS.items():
-        if down and getattr(source, part) is not None:
-            values[field_name] = np.asarray(values[field_name]) * (1.0, -1.0)
 
 
 def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:

@@ -109,19 +109,18 @@ class People:
     """Several people, of whom levels are computed again only where a design changes them."""
 
     def __init__(self, people: Sequence[Limb], view: View) -> None:
-        self._people, self._view = people, view
         self._players = [_Player(limb, view) for limb in people]
 
     def range_of(self, design: Design, own: PartialLimb | None = None) -> Range:
         """Return the range of a design, see `levels`."""
-        people, view = self._people, self._view
+        people = [player.limb for player in self._players]
         people_db = np.stack([player.levels_db(design) for player in self._players])
         hand = np.array(hand_outputs(people[0])) - 1
         mean_db: Floats = people_db.mean(axis=0)
         half_db: Floats = np.full(people_db.shape[1], half_width_db(people_db[:, hand]))
         if own is not None:
             check_same_places(own.limb, people[0])
-            mean_db, half_db = _drawn_in(design, view, own, people, mean_db, half_db)
+            mean_db, half_db = _drawn_in(design, own, self._players, mean_db, half_db)
         return Range(
             names=tuple(limb.name for limb in people),
             people_db=people_db,
@@ -152,17 +151,12 @@ class _Player:
 
 
 def _drawn_in(
-    design: Design,
-    view: View,
-    own: PartialLimb,
-    people: Sequence[Limb],
-    mean_db: Floats,
-    half_db: Floats,
+    design: Design, own: PartialLimb, players: Sequence[_Player], mean_db: Floats, half_db: Floats
 ) -> tuple[Floats, Floats]:
-    """Return mean and half width with what was measured of the person."""
-    tracks = audible_inputs(design.inputs)
+    """Return mean and half width, changed by what was measured of the person."""
+    tracks, limb, view = audible_inputs(design.inputs), players[0].limb, players[0].view
     unmeasured = {track.location for track in tracks} - {*own.inputs}
-    beyond = {*axes_of(people[0].axes, view.axes)} - {*own.axes}
+    beyond = {*axes_of(limb.axes, view.axes)} - {*own.axes}
     if unmeasured or beyond or design.scaling == "upstream":
         cause = "The scaling 'upstream' needs all outputs of a person"
         if beyond:
@@ -170,11 +164,11 @@ def _drawn_in(
         if unmeasured:
             cause = f"{own.person} was not measured from place {min(unmeasured)}"
         raise InvalidInputError(f"{cause}. Change the design or its view, or leave own out.")
-    player, players = _Player(own.limb, view), [_Player(limb, view) for limb in people]
+    player = _Player(own.limb, view)
     measured = np.array(own.outputs) - 1
-    hand = np.array(sorted({*hand_outputs(people[0]), *own.outputs})) - 1
+    hand = np.array(sorted({*hand_outputs(limb), *own.outputs})) - 1
     rows = np.searchsorted(hand, measured).tolist()
-    everywhere = range(1, people[0].n_inputs + 1)
+    everywhere = range(1, limb.n_inputs + 1)
     columns = [place - 1 for place in own.inputs]
     energies, differences, remaining = [], [], []
     for track in tracks:
@@ -187,7 +181,6 @@ def _drawn_in(
         differences.append(likeliest_db[:, column] - usual_db)
         remaining.append(remains[:, column])
     shares = np.stack(energies) / np.sum(energies, axis=0)
-    mean_db, half_db = mean_db.copy(), half_db.copy()
     mean_db[hand] += (shares * differences).sum(axis=0)
     half_db[hand] *= (shares * remaining).sum(axis=0)
     mean_db[measured], half_db[measured] = player.levels_db(design)[measured], 0.0

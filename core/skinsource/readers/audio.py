@@ -28,12 +28,13 @@ def look(path: Path) -> Found:
     """Return the channels of a sound file."""
     with _opened(path) as sound:
         frames, channels, rate_hz = _checked(path, sound)
+        dtype = sound.subtype.lower().replace("pcm_s8", "int8").replace("pcm_u8", "uint8")
         series = tuple(
             Series(
                 key=str(k),
                 name="the signal" if channels == 1 else f"channel {k + 1}",
                 n_samples=frames,
-                dtype=_dtype_name(sound.subtype),
+                dtype=dtype.replace("pcm_", "int"),
                 shape=(frames, channels),
             )
             for k in range(channels)
@@ -90,12 +91,6 @@ def _checked(path: Path, sound: Any) -> tuple[int, int, float]:
             path, f"it has {frames} samples", "at least one that is in the file", _ADVICE
         )
     return frames, sound.channels, rate_hz
-
-
-def _dtype_name(subtype: str) -> str:
-    return (
-        subtype.lower().replace("pcm_s8", "int8").replace("pcm_u8", "uint8").replace("pcm_", "int")
-    )
 
 
 def _notes(path: Path, frames: int) -> tuple[str, ...]:

@@ -94,7 +94,9 @@ def at_steady_rate(values: Floats, timestamps_s: Floats, rate_hz: Fraction) -> F
     times = start_s + np.arange(n) / float(rate_hz)
     resampled = np.interp(times, timestamps_s, values)
     for first, last in _without_gaps(timestamps_s):
-        for start, end in _blocks(first, last):
+        for start in range(first, last - 1, _BLOCK - 1):
+            # Each block begins with the last sample of the previous one.
+            end = min(start + _BLOCK, last)
             within = slice(*np.searchsorted(times, (timestamps_s[start], timestamps_s[end - 1])))
             around = slice(max(start - _OVERLAP, first), min(end + _OVERLAP, last))
             spline = scipy.interpolate.CubicSpline(timestamps_s[around], values[around])
@@ -110,12 +112,6 @@ def _without_gaps(timestamps_s: Floats) -> Iterator[tuple[int, int]]:
     for first, last in pairwise(edges):
         if last - first >= 4:
             yield first, last
-
-
-def _blocks(first: int, last: int) -> Iterator[tuple[int, int]]:
-    # Each block begins with the last sample of the previous one.
-    for start in range(first, last - 1, _BLOCK - 1):
-        yield start, min(start + _BLOCK, last)
 
 
 def _quantum(timestamps_s: Floats) -> float:

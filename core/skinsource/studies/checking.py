@@ -8,6 +8,7 @@ are read from files of other programs.
 
 import math
 import os
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
@@ -83,8 +84,10 @@ class Agreement:
 
         A channel with a silent prediction counts, but has no correlation.
         """
-        parts = (self.error, self.amplitude_percent, self.correlation)
-        error, amplitude, correlation = (_median(figure[self.counted]) for figure in parts)
+        error, amplitude, correlation = (
+            float(np.median(values)) if values.size else np.nan
+            for values in (_figure_values(self, figure) for figure in range(len(FIGURES)))
+        )
         return error, amplitude, correlation
 
 
@@ -119,11 +122,6 @@ def agreement(predicted: Floats, measured: Floats, noise_rms: Floats | float) ->
         amplitude_percent=amplitude,
         correlation=np.where(counted, pearson(ours, theirs), np.nan),
     )
-
-
-def _median(values: Floats) -> float:
-    known = values[np.isfinite(values)]
-    return float(np.median(known)) if known.size else np.nan
 
 
 def pearson(left: Floats, right: Floats) -> Floats:
@@ -581,17 +579,12 @@ def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str
     -------
     Frequency in Hz as text, and the values, (n,), for each frequency, ascending.
     """
-    measured = [condition for condition in conditions if condition.agreement is not None]
-    groups = []
-    for frequency in sorted({round(condition.frequency_hz, 1) for condition in measured}):
-        values = [
-            _figure_values(condition.agreement, figure)
-            for condition in measured
-            if round(condition.frequency_hz, 1) == frequency
-        ]
-        all_values = np.concatenate(values)
-        groups.append((f"{frequency:g}", all_values[np.isfinite(all_values)]))
-    return groups
+    groups = defaultdict[float, list[Floats]](list)
+    for condition in conditions:
+        if condition.agreement is not None:
+            values = _figure_values(condition.agreement, figure)
+            groups[round(condition.frequency_hz, 1)].append(values)
+    return [(f"{hz:g}", np.concatenate(values)) for hz, values in sorted(groups.items())]
 
 
 def _plots(measured: Sequence[Condition]) -> list[str]:
@@ -604,11 +597,9 @@ def _plots(measured: Sequence[Condition]) -> list[str]:
     return parts
 
 
-def _figure_values(agreement: Agreement | None, k: int) -> Floats:
-    if agreement is None:
-        return np.zeros(0)
+def _figure_values(agreement: Agreement, k: int) -> Floats:
     chosen = (agreement.error, agreement.amplitude_percent, agreement.correlation)[k]
-    return chosen[agreement.counted]
+    return chosen[agreement.counted & np.isfinite(chosen)]
 
 
 def _box_plot(groups: Sequence[tuple[str, Floats]]) -> str:

@@ -73,10 +73,7 @@ def add_effect(
     >>> print(type(edit.design.clips[0].effects[0]).__name__)
     Fade
     """
-    effect_kind = _kind_called(kind, effect_kinds())
-    if effect_kind is None:
-        known = _names(effect_kinds())
-        return Refusal(sentence=f"No effect is called {quoted(kind)}; there are {known}.")
+    effect_kind = _kind_called(kind, effect_kinds(), "effect")
     chosen = chosen_clips(design, ids)
     if any(len(clip.effects) >= MAX_EFFECTS for clip in chosen):
         return _TOO_MANY_EFFECTS
@@ -219,7 +216,7 @@ def _with_effect(design: Design, id: int, index: int) -> Clip:
 
 def _with_effect_field(
     design: Design, view: View, verb: str, clip: Clip, index: int, name: str, value: Any
-) -> Edit | Refusal:
+) -> Edit:
     effect: Any = clip.effects[index]
     effects = with_part(clip.effects, index, replace(effect, **{name: value}))
     return _with_effects(design, view, verb, (clip,), {clip.id: effects})
@@ -231,7 +228,7 @@ def _with_effects(
     verb: str,
     chosen: tuple[Clip, ...],
     effects_by_clip: dict[int, tuple[Effect, ...]],
-) -> Edit | Refusal:
+) -> Edit:
     after = change_clips(
         design, {id: {"effects": effects} for id, effects in effects_by_clip.items()}
     )
@@ -263,9 +260,8 @@ def new_part(spec: ModelSpec, name: str, holder: Any = None) -> Any:
         No kind that can be chosen has this name.
     """
     kinds, chosen = spec.kinds(), _kinds_to_choose(spec)
-    kind: type | None = _kind_called(name, chosen)
-    if kind is None:
-        raise InvalidInputError(f"{spec.label} is {quoted(name)}, expected one of {_names(chosen)}")
+    named = {kind.__name__: kind for kind in chosen}
+    kind = named[one_of(spec.label, name, tuple(named))]
     inner = _inner_field(kinds[0])
     if kind not in kinds and inner is not None:
         return kinds[0](**{inner[0]: kind()})
@@ -313,12 +309,11 @@ def change_text(spec: Spec, before: Any, after: Any) -> str:
     return f"Change {label} of"
 
 
-def _kind_called(name: str, kinds: tuple[type[Kind], ...]) -> type[Kind] | None:
-    return next((kind for kind in kinds if kind.__name__ == name), None)
-
-
-def _names(kinds: tuple[type, ...]) -> str:
-    return ", ".join(kind.__name__ for kind in kinds)
+def _kind_called(name: str, kinds: tuple[type[Kind], ...], what: str) -> type[Kind]:
+    named = {kind.__name__: kind for kind in kinds}
+    if name not in named:
+        raise InvalidInputError(f"No {what} is called {quoted(name)}; there are {', '.join(named)}")
+    return named[name]
 
 
 def _kinds_to_choose(spec: ModelSpec) -> tuple[type, ...]:
@@ -353,10 +348,7 @@ def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Ed
     >>> print(type(edit.design.clips[0].waveform).__name__)
     Noise
     """
-    waveform_kind = _kind_called(kind, waveform_kinds())
-    if waveform_kind is None:
-        known = _names(waveform_kinds())
-        return Refusal(sentence=f"No waveform is called {quoted(kind)}; there are {known}.")
+    waveform_kind = _kind_called(kind, waveform_kinds(), "waveform")
     rate_hz = facts_of(design.limb).sample_rate_hz
     return _with_waveforms(
         design, view, ids, lambda clip: as_kind(clip.waveform, waveform_kind, rate_hz)

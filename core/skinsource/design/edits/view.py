@@ -79,7 +79,7 @@ def move_marker(design: Design, view: View, index: int, time_s: float) -> Edit |
     others = (marker for k, marker in enumerate(design.markers) if k != index)
     if any(abs(marker.time_s - time_s) < SAME_S for marker in others):
         return _TAKEN
-    return _with_marker(design, view, "Move marker", index, time_s=time_s)
+    return _with_marker(design, view, "Move marker", index, {"time_s": time_s})
 
 
 @refusing
@@ -95,7 +95,7 @@ def rename_marker(design: Design, view: View, index: int, name: str) -> Edit | R
     >>> print(edit.design.markers[0].name)
     release
     """
-    return _with_marker(design, view, "Rename marker", index, name=name)
+    return _with_marker(design, view, "Rename marker", index, {"name": name})
 
 
 @refusing
@@ -111,10 +111,7 @@ def remove_marker(design: Design, view: View, index: int) -> Edit | Refusal:
     >>> print(edit.design.markers)
     ()
     """
-    if index not in range(len(design.markers)):
-        return _NO_MARKER
-    markers = (*design.markers[:index], *design.markers[index + 1 :])
-    return Edit(label="Remove marker", design=replace(design, markers=markers), view=view)
+    return _with_marker(design, view, "Remove marker", index, None)
 
 
 @refusing
@@ -151,12 +148,13 @@ def set_gain_curve(
 
 
 def _with_marker(
-    design: Design, view: View, label: str, index: int, **changes: Any
+    design: Design, view: View, label: str, index: int, changes: dict[str, Any] | None
 ) -> Edit | Refusal:
+    """Return the edit that changes a marker; None: that removes it."""
     if index not in range(len(design.markers)):
         return _NO_MARKER
-    marker = replace(design.markers[index], **changes)
-    markers = (*design.markers[:index], marker, *design.markers[index + 1 :])
+    changed = () if changes is None else (replace(design.markers[index], **changes),)
+    markers = (*design.markers[:index], *changed, *design.markers[index + 1 :])
     return Edit(label=label, design=replace(design, markers=markers), view=view)
 
 

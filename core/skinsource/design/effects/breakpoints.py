@@ -6,13 +6,12 @@ All are pure functions of points, (x, y, segment), whose x never falls.
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 import scipy
 
+from skinsource.base.arguments import one_of
 from skinsource.base.conventions import Booleans, Floats
-from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.specs.breakpoints import SEGMENTS, Breakpoint, Segment, SlopedPoint, slope_of
 
 Points = tuple[Breakpoint, ...]
@@ -59,7 +58,10 @@ def curve_at(points: Points, x: Floats) -> Floats:
     smooth = pieces.smooth[left] & ~jump
     if smooth.any():
         d0, d1 = pieces.slope[left] * length, pieces.slope[left + 1] * length
-        cubic = _hermite(share, y0, y1, d0, d1)
+        # The cubic with end slopes d0 and d1, per length of the segment.
+        rest = 1.0 - share
+        bend = share * rest * (rest * (d0 - (y1 - y0)) - share * (d1 - (y1 - y0)))
+        cubic = y0 + share * (y1 - y0) + bend
         # Rounding could pass the levels of the ends.
         cubic = np.clip(cubic, np.minimum(y0, y1), np.maximum(y0, y1))
         values = np.where(smooth, cubic, values)
@@ -145,10 +147,7 @@ def with_segment(points: Points, index: int, segment: Segment) -> Points:
     InvalidInputError
         No kind of segment has this name.
     """
-    if segment not in SEGMENTS:
-        raise InvalidInputError(
-            f"segment {quoted(segment)} is not known; choose from {', '.join(SEGMENTS)}"
-        )
+    one_of("segment", segment, SEGMENTS)
     return tuple(
         _with_slope_of(point, *point[:2], segment) if k == index else point
         for k, point in enumerate(points)
@@ -261,13 +260,6 @@ def _slope_at(points: Points, left: int, x: float) -> float:
     d0, d1 = float(pieces.slope[left]), float(pieces.slope[left + 1])
     steep = 6.0 * share * (1.0 - share) * rise
     return steep + (1.0 - share) * (1.0 - 3.0 * share) * d0 + share * (3.0 * share - 2.0) * d1
-
-
-def _hermite(share: Any, y0: Any, y1: Any, d0: Any, d1: Any) -> Any:
-    """Return the cubic from y0 to y1 with end slopes d0 and d1, per length of the segment."""
-    rest = 1.0 - share
-    bend = share * rest * (rest * (d0 - (y1 - y0)) - share * (d1 - (y1 - y0)))
-    return y0 + share * (y1 - y0) + bend
 
 
 @lru_cache(maxsize=64)

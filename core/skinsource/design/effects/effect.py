@@ -13,6 +13,7 @@ import numpy as np
 import scipy
 
 from skinsource.base.conventions import Floats
+from skinsource.signals.analysis.wave_speed import vertex
 from skinsource.signals.sampling import values_between
 from skinsource.specs.models import CheckedModel
 from skinsource.specs.spec import SwitchSpec
@@ -203,12 +204,6 @@ def _best_offset(continuation: Floats, near: Floats) -> float:
     score = np.where(enough, similarity / np.sqrt(np.where(enough, energy, 1.0)), -np.inf)
     score = score / np.sqrt(continuation @ continuation) - _DISTANCE_PENALTY * far
     best = int(np.argmax(score))
-    return best - _SEARCH + _peak_offset(score[max(best - 1, 0) : best + 2])
-
-
-def _peak_offset(three: Floats) -> float:
-    """Return where the parabola through a maximum and its neighbours peaks, -0.5 to 0.5."""
-    if three.size < 3 or not np.isfinite(three).all():
-        return 0.0
-    bend = three[0] - 2.0 * three[1] + three[2]
-    return float(np.clip(0.5 * (three[0] - three[2]) / bend, -0.5, 0.5)) if bend < 0.0 else 0.0
+    three = score[max(best - 1, 0) : best + 2]
+    beside = vertex(three) if three.size == 3 and np.isfinite(three).all() else 0.0
+    return best - _SEARCH + beside

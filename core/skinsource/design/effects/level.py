@@ -1,6 +1,6 @@
 """Effects on the level of samples: envelopes, fades, rectifying, soft clipping, band limits."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
@@ -64,9 +64,7 @@ class Envelope(KeepsTime, TimedEffect):
 LENGTH = NumberSpec(
     label="Fade in", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="From 0 to full level"
 )
-OUT = NumberSpec(
-    label="Fade out", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="To 0 at the end"
-)
+OUT = replace(LENGTH, label="Fade out", hint="To 0 at the end")
 SHAPE = ChoiceSpec(
     label="Shape",
     options=(("straight", "Straight"), ("smooth", "Smooth"), ("equal power", "Equal power")),

@@ -1,7 +1,7 @@
 """Effects on the time of samples: repeating, reversing, stretching and trimming."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, floor
 from typing import ClassVar
 
@@ -213,14 +213,7 @@ LONGEST_S = 3600.0
 START = NumberSpec(
     label="Start", unit="s", minimum=0.0, maximum=LONGEST_S, step=0.005, hint="Start of the part"
 )
-LENGTH = NumberSpec(
-    label="Length",
-    unit="s",
-    minimum=0.0,
-    maximum=LONGEST_S,
-    step=0.005,
-    hint="Length of the part that plays; longer: up to the end",
-)
+LENGTH = replace(START, label="Length", hint="Length of the part that plays; longer: up to the end")
 
 
 @dataclass(frozen=True, slots=True)

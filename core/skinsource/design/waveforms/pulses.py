@@ -185,9 +185,7 @@ HIGH = replace(
     LOW, label="To", minimum=1.0, maximum=100_000.0, hint="Highest frequency of the noise"
 )
 # Shorter noise holds no frequency of the band.
-NOISE_DURATION = NumberSpec(
-    label="Duration", unit="s", minimum=0.01, maximum=600.0, step=0.01, hint="Length of the burst"
-)
+NOISE_DURATION = replace(DURATION, minimum=0.01)
 
 
 @dataclass(frozen=True, slots=True)

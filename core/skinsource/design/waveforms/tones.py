@@ -10,7 +10,7 @@ import numpy as np
 
 from skinsource.base.conventions import BAND_HZ, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveform import DURATION, LONGEST_S, WINDOW, lists_to_tuples
+from skinsource.design.waveform import CENTRE, DURATION, LONGEST_S, WINDOW, lists_to_tuples
 from skinsource.signals.generators import WindowName, sample_count, sinusoid
 from skinsource.signals.sampling import shift_of, turns
 from skinsource.signals.synthesis import (
@@ -25,16 +25,7 @@ from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec, PointsSpec
 from skinsource.specs.spec import ChoiceSpec
 
-FREQUENCY = NumberSpec(
-    label="Frequency",
-    unit="Hz",
-    minimum=0.01,
-    maximum=100_000.0,
-    step=0.02,
-    logarithmic=True,
-    below_half_rate=True,
-    measured_band_hz=BAND_HZ,
-)
+FREQUENCY = replace(CENTRE, minimum=0.01, hint="")
 PHASE = NumberSpec(
     label="Phase", unit="rad", minimum=-2 * pi, maximum=2 * pi, step=pi / 36, hint="Phase at onset"
 )

@@ -378,7 +378,10 @@ def prepare_stimulus(
     rig, at_places = wiring_of(design, rig, actuation)
     equaliser = equaliser_of(design) if equaliser is None else equaliser
     equaliser = None if equaliser == "none" else equaliser
-    cut = _cut_ends(options)
+    # Without ``from_s`` a part that is cut out begins at time 0.
+    cut: tuple[Ends, ...] = () if options.from_s is None else ("begin",)
+    if options.to_s is not None:
+        cut = ("begin", "end")
     # Ringing before time 0, and after the end, is kept where nothing is cut off or faded.
     rings_before = not cut and options.fade_in_s == 0.0
     rings_after = options.to_s is None and options.fade_out_s == 0.0
@@ -510,13 +513,6 @@ def actuator_at(
     return "", None
 
 
-def _cut_ends(options: StimulusOptions) -> tuple[Ends, ...]:
-    """Return the ends at which a part is cut out; without ``from_s`` it begins at time 0."""
-    if options.to_s is not None:
-        return ("begin", "end")
-    return () if options.from_s is None else ("begin",)
-
-
 def _for_rig(
     stimulus: Stimulus,
     rig: Rig | None,
@@ -604,12 +600,12 @@ def weakened_by(
         after = np.bincount(band, energy * np.abs(gain) ** 2)
         level_db = decibels(np.sqrt(before))
         neighbours_db = scipy.ndimage.maximum_filter1d(level_db, 3)
-        felt = np.maximum(neighbours_db - _FLANK_DB, level_db.max() - _WITHIN_DB) <= level_db
-        felt_loss_db = np.where(felt, level_db - decibels(np.sqrt(after)), 0.0)
-        most = int(felt_loss_db.argmax())
-        if felt_loss_db[most] >= LEAST_WEAKENED_DB:
+        dominant = np.maximum(neighbours_db - _FLANK_DB, level_db.max() - _WITHIN_DB) <= level_db
+        attenuation_db = np.where(dominant, level_db - decibels(np.sqrt(after)), 0.0)
+        most = int(attenuation_db.argmax())
+        if attenuation_db[most] >= LEAST_WEAKENED_DB:
             middle_hz = np.bincount(band, energy * frequency_hz)[most] / before[most]
-            losses.append((float(felt_loss_db[most]), place, middle_hz))
+            losses.append((float(attenuation_db[most]), place, middle_hz))
     if not losses:
         return ""
     loss, place, middle_hz = max(losses)

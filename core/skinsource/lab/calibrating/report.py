@@ -24,7 +24,7 @@ from skinsource.export import plot
 from skinsource.export.exported_design import versions
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.sidecar import sidecar_path
-from skinsource.export.wiring import draw_table
+from skinsource.export.wiring import draw_table, new_page
 from skinsource.lab.calibrating.calibration import RULES, SWEEP_S, SWEPT_HZ
 from skinsource.lab.calibrating.verification import Check, Verification
 from skinsource.people.partial_file import digest_of, save_partial
@@ -153,9 +153,7 @@ def _page(about: dict[str, Any], verification: Verification) -> Any:
     )
     text = "\n".join(fill(sentence, _LETTERS) for sentence in sentences)
     with plot.style():
-        figure = plot.new_figure(210.0, 297.0)
-        title = f"Output {sitting.output} of {sitting.person}: {about['state']}"
-        figure.text(0.08, 0.97, title, fontsize=12, va="top", parse_math=False)
+        figure = new_page(f"Output {sitting.output} of {sitting.person}: {about['state']}")
         figure.text(0.08, 0.94, text, fontsize=8, va="top", parse_math=False)
         inputs = [
             (f"{row.place}", f"{100 * row.coherent:.0f} %", " ".join(row.failures) or "accepted")

@@ -12,7 +12,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.stream import Mix
-from skinsource.lab.rig_measuring.measurement import MeasuringSetup, card_of, recorded_of
+from skinsource.lab.rig_measuring.measurement import MeasuringSetup, card_of, recording_of
 
 #: Gets the number of samples that are recorded so far.
 Report = Callable[[int], None]
@@ -88,5 +88,5 @@ class CardStation:
                 "All actuators and the sensor must be on one device, so that they are in step. "
                 "Wire them to one, or choose another rig."
             )
-        recorded = recorded_of(mix, card, 0.0, stop, report)
+        recorded, _ = recording_of(mix, card, 0.0, stop, report)
         return recorded[self.setup.input_number - 1]

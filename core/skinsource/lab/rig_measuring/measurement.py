@@ -532,14 +532,7 @@ def _record(
         n_outputs=output,
     )
     mix = replace(mix, most_gain=margin.factor, limit=margin.words)
-    return recorded_of(mix, bench.card, level_db, stop, report)
-
-
-def recorded_of(
-    mix: Mix, card: Card, level_db: float, stop: Stop, report: Callable[[int], None]
-) -> Floats:
-    """Return the samples of `recording_of`."""
-    return recording_of(mix, card, level_db, stop, report)[0]
+    return recording_of(mix, bench.card, level_db, stop, report)[0]
 
 
 def recording_of(

@@ -109,27 +109,25 @@ def add_to(subparsers: Any) -> None:
     action.set_defaults(run=_remove)
 
 
-def _install(arguments: argparse.Namespace) -> int:
+def _install(arguments: argparse.Namespace) -> None:
     with ProgressBar(sys.stderr) as bar:
         info = install(arguments.path, unpublished=arguments.unpublished, progress=bar)
     _print_installed(info)
-    return 0
 
 
-def _fetch(arguments: argparse.Namespace) -> int:
+def _fetch(arguments: argparse.Namespace) -> None:
     files = published_files(arguments.dataset_url, arguments.map_url)
     with ProgressBar(sys.stderr) as bar:
         info = fetch(files=files, progress=bar)
     _print_installed(info)
-    return 0
 
 
-def _list(_: argparse.Namespace) -> int:
+def _list(_: argparse.Namespace) -> None:
     try:
         info = describe()
     except DatasetMissingError:
         sys.stdout.write(f"{NOT_INSTALLED} {HOW_TO_GET}\n")
-        return 0
+        return
     for number in info.limbs:
         length_mm = HAND_LENGTHS_MM[number - 1]
         sys.stdout.write(f"measured-{number}  hand length {length_mm:g} mm\n")
@@ -140,7 +138,6 @@ def _list(_: argparse.Namespace) -> int:
         f"sha256     {info.source_sha256}\n"
     )
     _print_note(info)
-    return 0
 
 
 def _verify(_: argparse.Namespace) -> int:

@@ -665,7 +665,9 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     ]
     height_mm = 9.0 * len(rows)
     sheet = Sheet(opened, height_mm + _FRAMES_MM + 20.0, maps=True)
-    instants = _pulse_samples(opened)
+    facts = facts_of(opened.design.limb)
+    rate_hz, delay_s = facts.sample_rate_hz, facts.pre_trigger_delay_s
+    instants = [floor((delay_s + later_s) * rate_hz + NEAR) for later_s in _INSTANTS_S]
     magnitudes = magnitude(field)[:, instants].T
     levels = [levels_of_values(opened.design, decibels(each)) for each in magnitudes]
     with style():
@@ -696,13 +698,6 @@ def _columns_of_axes(
         for row, number in enumerate(outputs)
         for column, axis in enumerate(axes)
     }
-
-
-def _pulse_samples(opened: OpenedScene) -> list[int]:
-    """Return the samples at which the pulse is drawn, after the pre-trigger delay of the limb."""
-    facts = facts_of(opened.design.limb)
-    rate_hz, delay_s = facts.sample_rate_hz, facts.pre_trigger_delay_s
-    return [floor((delay_s + later_s) * rate_hz + NEAR) for later_s in _INSTANTS_S]
 
 
 def traces(opened: OpenedScene, *, colours: Sequence[str], own_scale: bool) -> Drawn:

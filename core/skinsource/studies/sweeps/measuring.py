@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -10,18 +9,17 @@ from skinsource.actuators.actuation import Actuation, profile_of
 from skinsource.actuators.equalising import equalised, followed_band
 from skinsource.actuators.prediction import Limits, breaches, predicted
 from skinsource.actuators.rigs import strictest
-from skinsource.base.conventions import Band, Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped, sentence
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.design.design import Design, View
-from skinsource.design.signal_path import Drive
 from skinsource.engine.actuator_demand import drive_at
+from skinsource.engine.analysis_rules import SILENT_DB, Sensation
 from skinsource.engine.gains import Placed
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.streaming import projected_signals
 from skinsource.engine.trace_rules import shown_outputs
-from skinsource.engine.transforms import inverse
 from skinsource.export.tables import EXTENT_COLUMNS
 from skinsource.limbs.extent import distances_mm, spread
 from skinsource.limbs.limb import Limb
@@ -31,7 +29,7 @@ from skinsource.people.ranges import People, people_like
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.loudest_window import loudest_energy, window_samples
 from skinsource.signals.spectra import share_of_scaled
-from skinsource.studies.sweeps.plan import Plan, above_threshold
+from skinsource.studies.sweeps.plan import Plan
 
 #: Names of the metrics of a stimulus, in the order of the columns, without those of outputs.
 METRICS = (
@@ -81,82 +79,45 @@ def moving_locations(placed: Sequence[Placed]) -> tuple[int, ...]:
     return tuple(dict.fromkeys(each.voice.location for each in placed if each.moves))
 
 
-class ExtentMetrics:
-    """Measures extents; distances are computed once for as long as the places stay."""
-
-    def __init__(self) -> None:
-        self._cached: tuple[Limb | None, tuple[int, ...], Floats] = None, (), np.empty(0)
-
-    def of(self, rms: Floats, limb: Limb, placed: Sequence[Placed]) -> Metrics:
-        """Return the metrics of `skinsource.extent` for the RMS of all outputs; NaN for silence."""
-        locations = moving_locations(placed)
-        if not locations:
-            return dict.fromkeys(EXTENT_COLUMNS, np.nan)
-        if self._cached[:2] != (limb, locations):
-            self._cached = limb, locations, distances_mm(limb, locations)
-        distance_mm = self._cached[2]
-        if not rms[np.isfinite(distance_mm)].any():
-            return dict.fromkeys(EXTENT_COLUMNS, np.nan)
-        return {name: float(value) for name, value in spread(rms, distance_mm).items()}
+def extent_metrics(rms: Floats, limb: Limb, placed: Sequence[Placed]) -> Metrics:
+    """Return the metrics of `skinsource.extent` for the RMS of all outputs; NaN for silence."""
+    locations = moving_locations(placed)
+    distance_mm = distances_mm(limb, locations) if locations else np.full(rms.size, np.nan)
+    if not rms[np.isfinite(distance_mm)].any():
+        return dict.fromkeys(EXTENT_COLUMNS, np.nan)
+    return {name: float(value) for name, value in spread(rms, distance_mm).items()}
 
 
-class DriveMetrics:
-    """Measures drives; what inputs at a place play is measured once for as long as it stays."""
+def drive_metrics(placed: Sequence[Placed], n_times: int, limb: Limb, factor: float) -> Metrics:
+    """Return peak and RMS of all channels, and the share of energy outside the band.
 
-    def __init__(self) -> None:
-        # The inputs at a place; peak and energy of their sum, energies of each, and outside of it.
-        self._cached: dict[int, tuple[list[Placed], Band | None, tuple[float, ...]]] = {}
-        # Inputs that play the same share a drive.
-        self._shares = WeakKeyDictionary[Drive, tuple[Band, float]]()
-
-    def of(self, placed: Sequence[Placed], n_times: int, limb: Limb, factor: float) -> Metrics:
-        """Return peak and RMS of all channels, and the share of energy outside the band.
-
-        Parameters
-        ----------
-        placed
-            Audible inputs with their drives.
-        n_times
-            Samples of the stimulus.
-        factor
-            Factor of all amplitudes.
-        """
-        places: dict[int, list[Placed]] = {}
-        for each in placed:
-            places.setdefault(each.voice.location, []).append(each)
-        figures = [self._of_place(here, limb) for here in places.values()] or [(0.0,) * 4]
-        peaks, squares, energies, outside = zip(*figures, strict=True)
-        energy = sum(energies)
-        return {
-            "drive_peak": factor * max(peaks),
-            "drive_rms": factor * float(np.sqrt(sum(squares) / (n_times * len(figures)))),
-            "share_outside_band": sum(outside) / energy if energy > 0.0 else np.nan,
-        }
-
-    def _of_place(self, here: list[Placed], limb: Limb) -> tuple[float, ...]:
-        location = here[0].voice.location
-        cached = self._cached.get(location)
-        if cached is None or cached[:2] != (here, limb.band_hz):
-            channel = drive_at(here, location)
-            energy = outside = 0.0
-            for each in here:
-                samples, share = each.drive.samples, np.nan
-                if limb.band_hz is not None and not each.drive.silent:
-                    share = self._share_outside(each.drive, limb.sample_rate_hz, limb.band_hz)
-                own = (each.voice.amplitude * each.drive.factor) ** 2 * np.vecdot(samples, samples)
-                energy += own
-                outside += own * share if own else 0.0
-            peak = float(np.abs(channel).max(initial=0.0))
-            figures = peak, float(np.vecdot(channel, channel)), float(energy), float(outside)
-            cached = self._cached[location] = here, limb.band_hz, figures
-        return cached[2]
-
-    def _share_outside(self, drive: Drive, rate_hz: float, band_hz: Band) -> float:
-        known = self._shares.get(drive)
-        if known is None or known[0] != band_hz:
-            known = band_hz, share_of_scaled(drive.samples, rate_hz, band_hz)
-            self._shares[drive] = known
-        return known[1]
+    Parameters
+    ----------
+    placed
+        Audible inputs with their drives.
+    n_times
+        Samples of the stimulus.
+    factor
+        Factor of all amplitudes.
+    """
+    peaks, squares = [0.0], []
+    for location in dict.fromkeys(each.voice.location for each in placed):
+        channel = drive_at(placed, location)
+        peaks.append(float(np.abs(channel).max(initial=0.0)))
+        squares.append(float(np.vecdot(channel, channel)))
+    energy = outside = 0.0
+    for each in placed:
+        samples, share = each.drive.samples, np.nan
+        own = (each.voice.amplitude * each.drive.factor) ** 2 * np.vecdot(samples, samples)
+        if own and limb.band_hz is not None:
+            share = share_of_scaled(samples, limb.sample_rate_hz, limb.band_hz)
+        energy += own
+        outside += own * share if own else 0.0
+    return {
+        "drive_peak": factor * max(peaks),
+        "drive_rms": factor * float(np.sqrt(sum(squares) / (n_times * max(len(squares), 1)))),
+        "share_outside_band": outside / energy if energy > 0.0 else np.nan,
+    }
 
 
 # An equaliser rings before and after the drive, and the actuator has to play that too.
@@ -263,8 +224,6 @@ class Measurer:
             outputs=(),
             selected_inputs=varying if len(varying) == 1 else (),
         )
-        self._drives = DriveMetrics()
-        self._extents = ExtentMetrics()
         self._people: dict[tuple[str, ...], People] = {}
 
     def measure(self, number: int, stop: Stop = never) -> Metrics:
@@ -303,10 +262,12 @@ class Measurer:
         design = plan.design_of(number)
         # Nothing else needs the drives that noise is computed from, and synthetic limbs have none.
         noise = () if facts_of(design.limb).synthetic else ("above_noise_db",)
-        values = self._graph.evaluate((*_QUANTITIES, *noise), sources(design, self._view), stop)
+        felt = ("sensation",) if plan.level == "above_threshold" else ()
+        wanted = (*_QUANTITIES, *noise, *felt)
+        values = self._graph.evaluate(wanted, sources(design, self._view), stop)
         placed, limb, rms = values["placed"], values["driven_limb"], values["record_rms"]
         n_times = values["stimulus_samples"]
-        level = self._level(values, design.scaling, stop)
+        level = self._level(values)
         factor = 1.0 if level is None else _factor(plan.level_db, level)
         loudest = int(np.argmax(rms >= (1.0 - _TIE) * rms.max())) + 1
         outputs = (loudest, *shown_outputs(plan.outputs, limb))
@@ -314,11 +275,11 @@ class Measurer:
         metrics = {
             "factor": factor,
             "duration_s": n_times / limb.sample_rate_hz,
-            **self._drives.of(placed, n_times, limb, factor),
+            **drive_metrics(placed, n_times, limb, factor),
             "loudest_output": loudest if rms[loudest - 1] > 0.0 else np.nan,
             **_of_output("", rms[loudest - 1], windows[0], factor),
             **_levels_db(plan.level, level, factor),
-            **self._extents.of(rms, limb, placed),
+            **extent_metrics(rms, limb, placed),
             "outputs_in_noise": _outputs_in_noise(values.get("above_noise_db")),
         }
         for output, window in zip(outputs[1:], windows[1:], strict=True):
@@ -344,25 +305,17 @@ class Measurer:
             name: end_db + louder_db for name, end_db in zip(RANGE_METRICS, ends_db, strict=True)
         }
 
-    def _level(self, values: dict[str, Any], scaling: str, stop: Stop) -> float | None:
+    def _level(self, values: dict[str, Any]) -> float | None:
         """Return what is brought to the level of the plan: m/s², or a ratio; None: nothing is."""
         if self.plan.level == "loudest_100ms":
             return float(values["loudest_rms"].max())
         if self.plan.level != "above_threshold":
             return None
-        limb, total, n_times = (
-            values[name] for name in ("driven_limb", "total_spectrum", "response_samples")
-        )
-        if total is None:
-            duration_s = n_times / limb.sample_rate_hz
-            raise InvalidInputError(
-                f"the response lasts {duration_s:.4g} s, which is too long to be brought to a "
-                "level above threshold. Shorten the stimulus, or choose the level loudest_100ms."
-            )
-        stop_if(stop)
-        spectra = total.rows(np.arange(limb.n_outputs), tuple(range(limb.n_axes)))
-        acceleration = inverse(spectra, total.n_fft)[..., :n_times]
-        return above_threshold(acceleration, limb.sample_rate_hz, scaling)
+        sensation: Sensation = values["sensation"]
+        if sensation.problem:
+            raise InvalidInputError(sensation.problem)
+        highest_db = float(sensation.level_db.max())
+        return 10.0 ** (highest_db / 20.0) if highest_db > SILENT_DB else 0.0
 
 
 def _outputs_in_noise(above_noise_db: Floats | None) -> float:

@@ -15,14 +15,13 @@ import numpy as np
 from skinsource.actuators.actuation import Actuation, ActuatorAt, load
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.prediction import Limits
-from skinsource.base.arguments import checking, integer, one_of
-from skinsource.base.conventions import Axes, Floats
+from skinsource.base.arguments import checking, integer, one_of, real_number
+from skinsource.base.conventions import Axes
 from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.base.json_text import Tree
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, View
 from skinsource.lab.matching import Strengths
-from skinsource.perception.thresholds import sensation_levels_db
 from skinsource.signals.projection import Method
 from skinsource.specs import models
 from skinsource.specs.codec import to_text
@@ -32,8 +31,6 @@ Level = Literal["drive", "loudest_100ms", "above_threshold", "matched"]
 LEVELS: tuple[Level, ...] = get_args(Level)
 #: Levels that are predicted, and brought to `level_db`.
 PREDICTED: tuple[Level, ...] = ("loudest_100ms", "above_threshold")
-# Lower levels mean silence.
-_SILENCE_DB = -290.0
 
 
 def equally_strong(design: Design, strengths: Strengths) -> Design:
@@ -51,31 +48,6 @@ def equally_strong(design: Design, strengths: Strengths) -> Design:
         for number, track in enumerate(design.inputs, start=1)
     )
     return replace(design, inputs=tuple(inputs))
-
-
-def above_threshold(acceleration: Floats, sample_rate_hz: float, scaling: str) -> float:
-    """Return the ratio of the most sensitive channel at the loudest output to threshold.
-
-    Parameters
-    ----------
-    acceleration : (n_outputs, n_axes, n_times)
-        m/s².
-    scaling
-        Of the design.
-
-    Raises
-    ------
-    InvalidInputError
-        Amplitudes are no accelerations, or nothing is known of the outputs of the limb.
-    """
-    if scaling != "probe":
-        raise InvalidInputError(
-            f"the scaling is {quoted(scaling)}, and levels above threshold need m/s². Choose the "
-            "scaling Probe acceleration."
-        )
-    levels_db = sensation_levels_db(acceleration, sample_rate_hz)
-    highest_db = max(float(channel_db.max()) for channel_db in levels_db.values())
-    return float(10.0 ** (highest_db / 20.0)) if highest_db > _SILENCE_DB else 0.0
 
 
 def _matched_track(number: int, track: Input, strengths: Strengths) -> Input:
@@ -429,10 +401,9 @@ class Plan:
                 f"level is {quoted(level)}, expected 'matched' with a table of matches, and with "
                 "nothing else"
             )
-        if self.level_db is not None and not LOWEST_DB <= self.level_db <= HIGHEST_DB:
-            raise InvalidInputError(
-                f"level_db is {quoted(self.level_db)}, expected {LOWEST_DB:g} to {HIGHEST_DB:g} dB"
-            )
+        if self.level_db is not None:
+            expected = f"{LOWEST_DB:g} to {HIGHEST_DB:g} dB"
+            real_number("level_db", self.level_db, expected, least=LOWEST_DB, most=HIGHEST_DB)
 
     @property
     def drives_actuators(self) -> bool:

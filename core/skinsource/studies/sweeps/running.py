@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.actuators.prediction import Limits
-from skinsource.base.arguments import checking, integer, real_number
+from skinsource.base.arguments import checking, integer
 from skinsource.base.conventions import Axes
 from skinsource.base.errors import FileFormatError, InvalidInputError, printable, quoted, sentence
 from skinsource.base.files import FilePath, path_text, read_bytes
@@ -23,16 +23,7 @@ from skinsource.lab.matching import Strengths, read_matches
 from skinsource.signals.projection import Method
 from skinsource.specs.models import specs_of
 from skinsource.studies.sweeps.measuring import Metrics, measured_here
-from skinsource.studies.sweeps.plan import (
-    HIGHEST_DB,
-    LEVELS,
-    LOWEST_DB,
-    Level,
-    Order,
-    Plan,
-    Value,
-    trials,
-)
+from skinsource.studies.sweeps.plan import LEVELS, Level, Order, Plan, Value, trials
 from skinsource.studies.sweeps.table import Folder, StimulusFiles, SweepTable, table_of
 from skinsource.studies.sweeps.workers import Row, measured
 
@@ -338,7 +329,6 @@ def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
         raise InvalidInputError(
             f"designs is {quoted(names)}, expected a list of names of design files"
         )
-    level_db = content.get("level_db")
     asked = {name: content.get(name, False) for name in ("people", "parquet")}
     for name, value in asked.items():
         if not isinstance(value, bool):
@@ -352,9 +342,7 @@ def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
         **level_of(_level(content, folder)),
         limits=Limits(**_table(content, "limits")),
         people=asked["people"],
-        level_db=None
-        if level_db is None
-        else real_number("level_db", level_db, least=LOWEST_DB, most=HIGHEST_DB),
+        level_db=content.get("level_db"),
     )
     presented = _table(content, "trials")
     order = Order(kind=presented.pop("order", "random"), **presented)
