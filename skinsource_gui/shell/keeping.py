@@ -17,7 +17,7 @@ from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.layouts import in_column, named
-from skinsource_gui.qt.questions import ask_yes
+from skinsource_gui.qt.questions import ask_save, ask_yes
 from skinsource_gui.shell.notices import Choice, Notice, Reports
 from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.conductor import Conductor
@@ -223,7 +223,7 @@ class AutosaveAndRecovery(QObject):
             self.offer(notice)
 
     def _save_log(self, log: Path) -> None:
-        path = self._files.ask_where("Save the log", Path.home() / log.name, _LOGS)
+        path = ask_save(self._window, "Save the log", Path.home() / log.name, _LOGS)
         if path is None:
             return
         try:

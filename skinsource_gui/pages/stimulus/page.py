@@ -248,10 +248,10 @@ class StimulusPart(ExportPart):
         """Whether the order that is prepared is not shown yet."""
         return self._ordered is not None and self.prepared is None
 
-    def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
+    def suggestion(self) -> tuple[str, str]:
         kind = self.form.format
         title = "New folder" if kind.folder else kind.title
-        return f"{self._stem}{kind.suffix}", f"{title} (*{kind.suffix})", (), kind.suffix
+        return f"{self._stem}{kind.suffix}", f"{title} (*{kind.suffix})"
 
     def files(self, path: Path) -> Iterable[tuple[Path, ...]]:
         return () if self.prepared is None else written_files(self.prepared, path)
@@ -501,8 +501,8 @@ class SetPart(StimulusPart):
         for variable in self.variables:
             variable.set_options(titles.items())
 
-    def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
-        return f"{self._stem}-set", "New folder, none replaced (*)", (), ""
+    def suggestion(self) -> tuple[str, str]:
+        return f"{self._stem}-set", "New folder, none replaced (*)"
 
     def files(self, path: Path) -> tuple[()]:
         return ()
