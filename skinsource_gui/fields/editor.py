@@ -130,4 +130,3 @@ class TextMark:
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
         inside = QRectF(self._text.viewport().rect()).adjusted(1, 1, -1, -1)
         painter.drawRoundedRect(inside, 4, 4)
-        painter.end()

@@ -30,6 +30,7 @@ from skinsource_gui.plots.pictures import (
 from skinsource_gui.plots.signal_view import SignalExports
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, Theme, apply_theme, current_theme
+from skinsource_gui.qt.windows import application
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.docks import Dock, PanelInUse
 from skinsource_gui.state.comparison import Judging
@@ -320,16 +321,12 @@ class PanelPictures:
     @contextmanager
     def _in_colours(self, theme: Theme) -> Iterator[None]:
         """Put the studio in other colours for a while; nothing of that is painted on the screen."""
-        application, before = QtWidgets.QApplication.instance(), current_theme()
-        if theme == before or not isinstance(application, QtWidgets.QApplication):
-            yield
-            return
-        text_scale = self._appearance.text_scale
-        apply_theme(application, theme, text_scale)
+        before, text_scale = current_theme(), self._appearance.text_scale
+        apply_theme(application(), theme, text_scale)
         try:
             yield
         finally:
-            apply_theme(application, before, text_scale)
+            apply_theme(application(), before, text_scale)
 
 
 def _draw_titled(painter: QtGui.QPainter, panel: Panel, area: QRect, theme: Theme) -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import ClassVar, cast
+from typing import ClassVar
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
@@ -20,6 +20,7 @@ from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.layouts import in_row, named
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.qt.windows import application
 from skinsource_gui.state.panel import Panel
 
 _PLACE = "library"
@@ -210,8 +211,7 @@ class LibraryPanel(Panel):
         self.setFocusProxy(self.rows)
         self.rows.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.preview.hide()
-        application = cast(QtGui.QGuiApplication, QtGui.QGuiApplication.instance())
-        application.focusWindowChanged.connect(self._look_again)
+        application().focusWindowChanged.connect(self._look_again)
         self.folders.changed.connect(self._show_presets)
         self.folders.failed.connect(self.failed)
         self.search.changed.connect(self._show_presets)
