@@ -111,7 +111,6 @@ class Canvas(pyqtgraph.GraphicsView):
         if self.hasFocus():
             painter = QtGui.QPainter(self.viewport())
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
-            painter.end()
 
     def resizeEvent(self, event: QtGui.QResizeEvent | None) -> None:
         super().resizeEvent(event)
@@ -206,8 +205,6 @@ class MovableLine(QObject):
     ----------
     position
         On the x axis; of a playhead its time, s.  None: there is no line.
-    moved
-        How often lines were moved.
     """
 
     #: The position to which the user drags it.
@@ -216,7 +213,6 @@ class MovableLine(QObject):
     def __init__(self, style: LineStyle, parent: QObject) -> None:
         super().__init__(parent)
         self.position: float | None = None
-        self.moved = 0
         self._style = style
         self._lines: list[UprightLine] = []
         # The line that is dragged, and its position before.
@@ -244,7 +240,6 @@ class MovableLine(QObject):
         if position == self.position:
             return
         seen, self.position = self.position is not None, position
-        self.moved += 1
         for line in self._lines:
             if position is not None:
                 line.setPos(QPointF(position, 0.0))

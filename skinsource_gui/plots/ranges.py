@@ -601,16 +601,9 @@ def columns_of(x: Floats, shown: Range, width_px: int) -> Columns:
 
 
 class CachedColumns:
-    """Caches the last columns: most edits do not change the axis.
-
-    Attributes
-    ----------
-    made
-        How often columns were computed.
-    """
+    """Caches the last columns: most edits do not change the axis."""
 
     def __init__(self) -> None:
-        self.made = 0
         self._axis: Floats = np.zeros(0)
         self._view: tuple[Range, int] | None = None
         self._columns: Columns | None = None
@@ -621,7 +614,6 @@ class CachedColumns:
         if self._columns is None or not same:
             self._axis, self._view = x, (shown, width_px)
             self._columns = columns_of(x, shown, width_px)
-            self.made += 1
         return self._columns
 
     def _is_axis(self, x: Floats) -> bool:

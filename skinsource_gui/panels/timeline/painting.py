@@ -364,11 +364,6 @@ class LanesItem(LaneLayer):
 
     It is cached as a picture, over which the playhead and the overlay move. Only lanes that look
     different are painted into it again.
-
-    Attributes
-    ----------
-    painted, painted_lanes
-        How often it was painted, and how many lanes in all.
     """
 
     def __init__(self) -> None:
@@ -377,7 +372,6 @@ class LanesItem(LaneLayer):
         # Told what is to be painted, it paints no more.
         self.setFlag(self.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.pictures = ClipPictures()
-        self.painted = self.painted_lanes = 0
         self._hovered: int | None = None
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
@@ -404,7 +398,6 @@ class LanesItem(LaneLayer):
         content = self._content
         if content is None:
             return
-        self.painted += 1
         painter.setFont(self._font)
         rect, exposed = self._rect, option.exposedRect
         lanes = QRectF(
@@ -423,7 +416,6 @@ class LanesItem(LaneLayer):
             self._paint_clips(painter, content, lane, lanes)
             self._paint_overlaps(painter, content, lane)
             paint_silence_reason(painter, lane, self._strip(lane))
-        self.painted_lanes += len(shown)
         painter.restore()
         ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
         if ruler.intersects(exposed):
@@ -563,17 +555,10 @@ _HALF_PX, _PLAYHEAD_HANDLE_PX = 5.0, 8.0
 
 
 class PlayheadItem(pyqtgraph.GraphicsObject):
-    """A line with a handle; the lanes below are not painted again when it moves.
-
-    Attributes
-    ----------
-    moved
-        How often it was moved.
-    """
+    """A line with a handle; the lanes below are not painted again when it moves."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.moved = 0
         self._height = 1.0
         self.setZValue(1)
 
@@ -587,7 +572,6 @@ class PlayheadItem(pyqtgraph.GraphicsObject):
             content.scale.x(content.view.playhead_s), content.ruler_px - _PLAYHEAD_HANDLE_PX
         )
         if at != self.pos():
-            self.moved += 1
             self.setPos(at)
 
     def boundingRect(self) -> QRectF:
