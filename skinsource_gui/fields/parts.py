@@ -30,7 +30,7 @@ from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
 from skinsource_gui.fields.grid import EditedCell, FieldGrid, discard, forget_typing
 from skinsource_gui.fields.kinds import fill_kind_menu
-from skinsource_gui.qt.buttons import remove_button
+from skinsource_gui.qt.buttons import menu_of, remove_button
 from skinsource_gui.qt.frames import drop_line
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.layouts import in_column, in_row, tooltip
@@ -44,13 +44,9 @@ class AddButton(QtWidgets.QToolButton):
         super().__init__()
         self.setObjectName(name)
         self.setText("Add…")
-        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QtWidgets.QMenu(self)
-        self.setMenu(menu)
+        menu_of(self, fill)
         # The dots in the text already tell that there is a menu.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }")
-        menu.aboutToShow.connect(menu.clear)
-        menu.aboutToShow.connect(partial(fill, menu))
 
 
 class PartFields(QObject):

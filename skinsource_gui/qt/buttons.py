@@ -1,5 +1,8 @@
 """Buttons, labels and scroll areas of pages, buttons of panels, and the swatch of an input."""
 
+from collections.abc import Callable
+from functools import partial
+
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, QTimer
 
@@ -86,9 +89,14 @@ def tool_button(
     return button
 
 
-def menu_of(button: QtWidgets.QToolButton) -> QtWidgets.QMenu:
-    """Return a new menu, which a button opens that the Tab key reaches."""
+def menu_of(
+    button: QtWidgets.QToolButton, fill: Callable[[QtWidgets.QMenu], object] | None = None
+) -> QtWidgets.QMenu:
+    """Return a new menu, which a button opens that the Tab key reaches; ``fill`` each time."""
     menu = QtWidgets.QMenu(button)
+    if fill is not None:
+        menu.aboutToShow.connect(menu.clear)
+        menu.aboutToShow.connect(partial(fill, menu))
     button.setMenu(menu)
     button.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

@@ -32,6 +32,7 @@ from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.buttons import page_label, passing_menu, tool_button
 from skinsource_gui.qt.frames import DropPlace, paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.panel import Panel
@@ -359,8 +360,7 @@ class HandDiagram(QtWidgets.QWidget):
         self._mouse, self.site_cursor = SiteMouse(self), SiteCursor(self)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setObjectName("hand_diagram")
-        self.setAccessibleName("Hand, palm side")
+        named(self, "hand_diagram", "Hand, palm side")
         self.describe(self.site_cursor.site)
 
     @property
@@ -428,7 +428,6 @@ class HandDiagram(QtWidgets.QWidget):
         if self.hasFocus():
             # The frame shows that keys act here; the ring shows where, once they are used.
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
-        painter.end()
 
     def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         self.stage.pan_zoom.wheel(event)

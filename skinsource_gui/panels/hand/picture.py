@@ -23,7 +23,7 @@ from skinsource.specs.spec import SwitchSpec
 from skinsource_gui.plots.outputs import output_beyond
 from skinsource_gui.plots.small_map import paint_ring
 from skinsource_gui.qt.buttons import text_colour_on
-from skinsource_gui.qt.frames import Frame
+from skinsource_gui.qt.frames import Frame, closed_path, polygon
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, is_on_paper, tabular, translucent
 from skinsource_gui.qt.wheel import WHOLE, PanZoom
 
@@ -315,9 +315,7 @@ def palmar_drawing(shape: HandShape) -> HandDrawing:
         # Seen from the palm, left and right change places; on screen y points down.
         return shape.wrist - points
 
-    outline, creases = QtGui.QPainterPath(), QtGui.QPainterPath()
-    outline.addPolygon(polygon(palmar(shape.outline)))
-    outline.closeSubpath()
+    creases = QtGui.QPainterPath()
     for line in shape.creases:
         creases.addPolygon(polygon(palmar(line)))
     sites, pushes = palmar(shape.input_positions), np.zeros((len(shape.input_positions), 2))
@@ -329,7 +327,7 @@ def palmar_drawing(shape: HandShape) -> HandDrawing:
     shown = shown[shown[:, 1] < _ARM_PX]
     left, top = shown.min(axis=0)
     return HandDrawing(
-        outline=outline,
+        outline=closed_path(palmar(shape.outline)),
         creases=creases,
         bounds=QRectF(QPointF(left, top), QPointF(float(shown[:, 0].max()), _ARM_PX)),
         sites=sites,
@@ -397,11 +395,6 @@ def hand_pixmap(
 
 #: The same with a cache, for the screen.
 cached_hand_pixmap = lru_cache(maxsize=2)(hand_pixmap)
-
-
-def polygon(points: NDArray[np.float64]) -> QtGui.QPolygonF:
-    """Return points as a polygon of Qt."""
-    return QtGui.QPolygonF([QPointF(x, y) for x, y in points])
 
 
 def _pen(colour: QtGui.QColor, opacity: float, width: float) -> QtGui.QPen:
@@ -708,9 +701,6 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
         # Seen from the palm left and right change places; on screen y points down.
         return -scale * points
 
-    outline = QtGui.QPainterPath()
-    outline.addPolygon(polygon(palmar(limb_map.outline)))
-    outline.closeSubpath()
     sites = _separated(palmar(limb_map.input_positions))
     side = "Left" if facts.left else "Right"
     swapped = "\nmirrored," if facts.mirrored else ""
@@ -719,7 +709,7 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
     sites, bounds = _with_unplaced(sites, bounds, left)
     below = float(palmar(limb_map.outline)[:, 1].max()) - bounds.bottom()
     return HandDrawing(
-        outline=outline,
+        outline=closed_path(palmar(limb_map.outline)),
         creases=QtGui.QPainterPath(),
         bounds=bounds,
         sites=sites,

@@ -145,7 +145,6 @@ class ColourStrip(QtWidgets.QWidget):
         painter.setBrush(QtGui.QColor(theme.raised))
         for x in (ramp.left(), ramp.right()):
             painter.drawRoundedRect(QRectF(x - 3, ramp.top() - 2, 6, _RAMP_PX + 4), 2, 2)
-        painter.end()
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
