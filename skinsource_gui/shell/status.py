@@ -203,7 +203,8 @@ class StatusLine(FittingLabel):
     def __init__(self, window: QtWidgets.QMainWindow) -> None:
         super().__init__(window)
         named(self, "status_line", "State of the results")
-        self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        policy = QtWidgets.QSizePolicy.Policy
+        self.setSizePolicy(policy.Preferred, policy.Fixed)
         self.setContentsMargins(UNIT_PX, 0, 0, 0)
         self.setFont(tabular(self.font()))
         set_tone(self, "dim")

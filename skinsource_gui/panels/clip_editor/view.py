@@ -527,10 +527,6 @@ class SpectrumStrip(QtWidgets.QWidget):
         self._preview, self._label = SpectrumPreview(), FittingLabel()
         self._preview.setAccessibleName("Spectrum of the clip")
         self.setMinimumHeight(78)
-        self._label.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed
-        )
-        self._label.setAlignment(Qt.AlignmentFlag.AlignLeft)
         in_column(self._label, (self._preview, 1), of=self, margins=0, gap_px=0)
         self.outside = 0.0
         self._shown: tuple[object, ...] = ()

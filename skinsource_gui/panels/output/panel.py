@@ -212,7 +212,8 @@ class OutputRow:
         names = input_name(place, limb)
         self.place = place
         title = FittingLabel()
-        title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        policy = QtWidgets.QSizePolicy.Policy
+        title.setSizePolicy(policy.Preferred, policy.Fixed)
         title.show_phrases((f"{place} · {names.name}", f"{place} · {names.short_name}", f"{place}"))
         title.setToolTip(names.name)
         self.meter, self.level = QtWidgets.QProgressBar(), QtWidgets.QLabel()
@@ -225,9 +226,8 @@ class OutputRow:
             label=f"Output of place {place}", minimum=1, maximum=MOST_OUTPUTS, whole=True
         )
         self.output = NumberField(spec, widest_unit="")
-        self.output.setObjectName(f"output_of_{place}")
-        self.output.setAccessibleName(spec.label)
-        self.output.setToolTip("Output of the device that its actuator is wired to")
+        hint = "Output of the device that its actuator is wired to"
+        named(self.output, f"output_of_{place}", hint=hint)
         fit_to_letters(self.output, _OUTPUT_NUMBER_PX)
         self.tone = tool_button(None, f"tone_of_{place}", "Tone")
         self.widgets: tuple[QtWidgets.QWidget, ...] = (

@@ -160,7 +160,6 @@ class PeopleMaps(QtWidgets.QWidget):
             head = QRectF(cell.left(), cell.top(), cell.width(), 2.0 * line)
             text = head_text(each, metrics, cell.width() - line)
             painter.drawText(head, Qt.AlignmentFlag.AlignCenter, text)
-        painter.end()
 
 
 def head_text(person: Person, metrics: QtGui.QFontMetricsF, room_px: float) -> str:
