@@ -318,10 +318,7 @@ class FieldsRow(QtWidgets.QWidget):
         self.title, self.remove_button = title, remove_button()
         self.grid = FieldGrid()
         self.grid.hide()
-        head = QtWidgets.QHBoxLayout()
-        head.setSpacing(gap_px)
-        for part in (*before, title, self.remove_button):
-            head.addWidget(part, 1 if part is title else 0)
+        head = in_row(*before, (title, 1), self.remove_button, gap_px=gap_px)
         in_column(head, self.grid, of=self, margins=0, gap_px=UNIT_PX // 4)
         title.opened.connect(self._open)
         self.remove_button.clicked.connect(self.removed)

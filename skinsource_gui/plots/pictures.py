@@ -40,6 +40,7 @@ from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource.studies import scenes
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.units import minus
+from skinsource_gui.qt.layouts import form_of
 from skinsource_gui.qt.resources import number_named
 from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, theme_label
 
@@ -572,8 +573,7 @@ class PictureForm(QtWidgets.QWidget):
         self.options, self._most_px, self._remark = options, most_px, remark
         self._usual, self._below = shape or (options.width_px, options.height_px), below
         self._cells: dict[str, FieldCell] = {}
-        self._form = QtWidgets.QFormLayout(self)
-        self._form.setContentsMargins(0, 0, 0, 0)
+        self._form = form_of(self)
         for name, spec in _specs(options).items():
             self._cells[name] = cell = FieldCell(name, spec)
             cell.set_value(getattr(options, name))

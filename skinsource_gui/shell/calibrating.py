@@ -46,10 +46,6 @@ _FILES = "Partial limbs (*.h5);;All files (*)"
 _STOPPED = "Stopped. Nothing new was stored."
 
 
-def _opened(path: Path, progress: Progress, stop: Stop) -> "PartialLimb":
-    return people.open_partial(path)
-
-
 def _focus_of(
     opened: "PartialLimb", output: int, progress: Progress, stop: Stop
 ) -> "tuple[Design, None]":
@@ -311,8 +307,8 @@ class Calibrating(QObject):
         path = ask_open(self._window, "Open a measured person", _FILES, self._preferences.folder)
         if path is not None:
             self._preferences.folder = path.parent
-            work = partial(_opened, path)
-            self._run("Opening a measured person", work, partial(self._take_opened, path))
+            take = partial(self._take_opened, path)
+            self._run("Opening a measured person", lambda **_: people.open_partial(path), take)
 
     def _take_opened(self, path: Path, opened: "PartialLimb") -> None:
         self._unsaved = False

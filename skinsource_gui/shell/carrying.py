@@ -28,6 +28,7 @@ from skinsource_gui.plots.pictures import (
     with_caption,
 )
 from skinsource_gui.plots.signal_view import SignalExports
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, Theme, apply_theme, current_theme
 from skinsource_gui.qt.windows import application
@@ -369,8 +370,7 @@ def _shown_off_screen(dock: Dock, width: int, height: int) -> Iterator[Callable[
     stage = QtWidgets.QWidget()
     stage.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
     stage.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
-    column = QtWidgets.QVBoxLayout(stage)
-    column.setContentsMargins(0, 0, 0, 0)
+    column = in_column(of=stage, margins=0)
     with dock.lent() as panel:
         column.addWidget(panel)
         panel.show()

@@ -51,11 +51,8 @@ class EditorBody(QtWidgets.QWidget):
 
     def __init__(self, canvas: QtWidgets.QWidget, spectrum: QtWidgets.QWidget) -> None:
         super().__init__()
-        self._layout = QtWidgets.QBoxLayout(QtWidgets.QBoxLayout.Direction.TopToBottom, self)
-        self._layout.setContentsMargins(0, 0, 0, 0)
-        self._layout.setSpacing(0)
-        self._layout.addWidget(canvas, _CANVAS_PART)
-        self._layout.addWidget(spectrum, _SPECTRUM_PART)
+        parts = (canvas, _CANVAS_PART), (spectrum, _SPECTRUM_PART)
+        self._layout = in_column(*parts, of=self, margins=0, gap_px=0)
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)

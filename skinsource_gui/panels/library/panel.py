@@ -17,7 +17,7 @@ from skinsource_gui.panels.library.list import PresetList, PresetPreview, Preset
 from skinsource_gui.qt.buttons import page_button, page_label, passing_menu
 from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.layouts import in_row, named
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.qt.windows import application
@@ -195,17 +195,10 @@ class LibraryPanel(Panel):
         self.preview, self.buttons = PresetPreview(), LibraryButtons()
         self.faults = page_label("library_faults", tone="warning")
         self.faults.hide()
-        column = QtWidgets.QVBoxLayout(self)
-        column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
-        column.setSpacing(UNIT_PX // 2)
-        column.addWidget(self.search)
-        self._body = QtWidgets.QBoxLayout(QtWidgets.QBoxLayout.Direction.TopToBottom)
-        self._body.setSpacing(UNIT_PX // 2)
-        self._body.addWidget(self.rows, 3)
-        self._body.addWidget(self.preview, 2)
-        column.addLayout(self._body, 1)
-        column.addWidget(self.faults)
-        column.addWidget(self.buttons)
+        self._body = in_column((self.rows, 3), (self.preview, 2), gap_px=UNIT_PX // 2)
+        parts = self.search, (self._body, 1), self.faults, self.buttons
+        edges = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
+        in_column(*parts, of=self, margins=edges, gap_px=UNIT_PX // 2)
         self.rows.setMinimumSize(140, 110)
         self.setMinimumWidth(248)
         self.setFocusProxy(self.rows)
