@@ -12,7 +12,7 @@ from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import MOST_BYTES, crashed_logs, note_offered
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import path_text, read_bytes, write_bytes
-from skinsource.design.recovery import Found, UnsavedWork
+from skinsource.design.recovery import Found, UnsavedWork, discard
 from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.pages.page import ToolPage
@@ -218,7 +218,7 @@ class AutosaveAndRecovery(QObject):
         """Discard the work if the user agrees; else a notice offers it again."""
         question = f"The copy of {left.name} from {left.clock()} is deleted for good. Discard it?"
         if ask_yes(self._window, "Discard unsaved work?", question):
-            self.recovery.discard(left)
+            discard(left)
         elif notice is not None:
             self.offer(notice)
 
