@@ -51,10 +51,9 @@ class MainAxisContent:
 class MainAxisPicture(Figure):
     """For each output its ellipse in each plane of two axes, and the main axis through it."""
 
-    content: MainAxisContent
-
     def __init__(self) -> None:
         super().__init__("main_axis_picture", "Principal axes")
+        self.content: MainAxisContent | None = None
         self._cells: list[tuple[QRectF, int]] = []
 
     def show_axes(self, content: MainAxisContent) -> None:
@@ -64,6 +63,8 @@ class MainAxisPicture(Figure):
 
     def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         content = self.content
+        if content is None:
+            return
         metrics = QtGui.QFontMetricsF(painter.font())
         line = metrics.height()
         count = len(content.outputs)
@@ -89,7 +90,7 @@ class MainAxisPicture(Figure):
 
     def read(self, at: QPointF) -> str:
         for place, rank in self._cells:
-            if place.contains(at):
+            if self.content is not None and place.contains(at):
                 return self.content.text_of(rank)
         return ""
 
@@ -216,9 +217,9 @@ class MainAxisView(FigureView):
             self.show_result(" · ".join(notes))
 
     def table_text(self) -> str:
-        if self.message:
-            return ""
         content = self.picture.content
+        if content is None or self.picture.message:
+            return ""
         n_axes = len(content.axes)
         header = ["output", *(f"direction_{axis}" for axis in content.axes)]
         header += [f"deviation_{k}_m_per_s2" for k in range(1, n_axes + 1)]

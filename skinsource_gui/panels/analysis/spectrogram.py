@@ -66,10 +66,9 @@ class SpectrogramContent:
 class SpectrogramPicture(Figure):
     """Amplitude as colour, over time and frequency."""
 
-    content: SpectrogramContent
-
     def __init__(self) -> None:
         super().__init__("spectrogram_picture", "Spectrogram")
+        self.content: SpectrogramContent | None = None
         self.range_db: Range = (-SPAN_DB, 0.0)
         self._playhead_s: float | None = None
         self._table = colour_table()
@@ -98,6 +97,8 @@ class SpectrogramPicture(Figure):
 
     def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         content = self.content
+        if content is None:
+            return
         metrics = QtGui.QFontMetricsF(painter.font())
         widest_texts = scale_text(-100.0, top=True, matched=content.matched)
         widest = max(map(metrics.horizontalAdvance, widest_texts))
@@ -118,7 +119,7 @@ class SpectrogramPicture(Figure):
     def read(self, at: QPointF) -> str:
         axes = self.axes
         place = None if axes is None else axes.value_at(at)
-        if axes is None or place is None:
+        if axes is None or place is None or self.content is None:
             return ""
         time_s, frequency_hz = place
         level = float(
@@ -167,7 +168,7 @@ class SpectrogramPicture(Figure):
         painter.drawRect(ramp)
         painter.setPen(QtGui.QColor(current_theme().dim))
         low, high = self.range_db
-        matched = self.content.matched
+        matched = "" if self.content is None else self.content.matched
         for part in (0.0, 0.5, 1.0):
             y = ramp.bottom() - part * ramp.height()
             place = QRectF(ramp.right() + 4, y - line / 2, room.right() - ramp.right() - 4, line)

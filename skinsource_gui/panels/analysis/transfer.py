@@ -40,10 +40,9 @@ class TransferContent:
 class TransferPicture(Figure):
     """One curve of each output; below, where it is more than noise."""
 
-    content: TransferContent
-
     def __init__(self) -> None:
         super().__init__("transfer_picture", "Transfer functions")
+        self.content: TransferContent | None = None
         self._top_db = 0.0
 
     def show_transfer(self, content: TransferContent) -> None:
@@ -55,6 +54,8 @@ class TransferPicture(Figure):
 
     def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         content = self.content
+        if content is None:
+            return
         frequency_hz = content.transfer.frequency_hz
         x = Axis(shown=(0.0, float(frequency_hz[-1])), title="Frequency (Hz)")
         if content.coherence:
@@ -82,7 +83,7 @@ class TransferPicture(Figure):
 
     def read(self, at: QPointF) -> str:
         place = None if self.axes is None else self.axes.value_at(at)
-        if place is None:
+        if place is None or self.content is None:
             return ""
         transfer = self.content.transfer
         k = int(np.argmin(np.abs(transfer.frequency_hz - place[0])))

@@ -27,10 +27,9 @@ _LINE_PX, _PALE = 1.2, 0.6
 class WavePicture(DiagramsPicture):
     """Two diagrams: delay and level; outputs that do not count are pale."""
 
-    content: LineWave
-
     def __init__(self) -> None:
         super().__init__("wave_picture", "Delay and level along the line")
+        self.content: LineWave | None = None
 
     def show_wave(self, content: LineWave, outputs: tuple[int, ...], matched: str) -> None:
         """Take over what to show; ``outputs`` are all that are selected.
@@ -54,6 +53,8 @@ class WavePicture(DiagramsPicture):
         self.show_diagrams(tuple(diagrams), outputs)
 
     def read(self, at: QPointF) -> str:
+        if self.content is None:
+            return ""
         wave, outputs = self.content.wave, self.content.outputs
         of_diagrams = zip(self.placed, (wave.delay_s, wave.level_db), strict=False)
         for (origin, axes), values in of_diagrams:
@@ -142,9 +143,9 @@ class WaveView(FigureView):
         self.show_result(f"{wave_text(line.wave)}{several}{note}{synthetic}")
 
     def table_text(self) -> str:
-        if self.message:
-            return ""
         content = self.picture.content
+        if content is None or self.picture.message:
+            return ""
         wave = content.wave
         header = ("output", "way_mm", "delay_ms", f"level_{content.axis}_db", "alike")
         lines = (
