@@ -92,11 +92,6 @@ LAYOUTS = (
 OWN = "own"
 
 
-def layout_of(name: str) -> Layout | None:
-    """Return the layout of that name; None for any other size."""
-    return next((layout for layout in LAYOUTS if layout.name == name), None)
-
-
 #: Draws a picture: painter, width and height in px, and for some a ``theme``.
 Draw = Callable[..., None]
 
@@ -593,8 +588,8 @@ class PictureForm(QtWidgets.QWidget):
         if isinstance(value, float) and isinstance(spec, NumberSpec) and spec.whole:
             value = int(value)
         changes: dict[str, Any] = {name: value}
-        layout = layout_of(str(value)) if name == "layout" else None
-        if layout is not None:
+        layout = next((each for each in LAYOUTS if each.name == value), None)
+        if name == "layout" and layout is not None:
             width, height = layout.size_px(self._usual, self._below)
             dpi = layout.dpi
             if self._most_px is not None:

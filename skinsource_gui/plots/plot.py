@@ -43,7 +43,7 @@ from skinsource_gui.plots.ranges import (
 )
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.theme import PAPER_DOTS, current_theme, scaled, tabular
+from skinsource_gui.qt.theme import PAPER_DOTS, UNIT_PX, current_theme, scaled, tabular
 from skinsource_gui.qt.wheel import ScrollGesture
 
 
@@ -767,7 +767,8 @@ class Plot(Canvas):
         """Lay out rows and texts; return whether the number of rows has changed."""
         curves = self.curves
         if curves is None:
-            self.stack.place_message(QRectF(self.rect()))
+            room = QRectF(self.rect()).adjusted(2 * UNIT_PX, UNIT_PX, -2 * UNIT_PX, -UNIT_PX)
+            self.stack.message.setGeometry(room)
             return False
         count = row_count(len(curves.names), stacked=self.stacked)
         self.value_scale = ValueScale(

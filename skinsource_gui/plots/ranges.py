@@ -610,15 +610,12 @@ class CachedColumns:
 
     def of(self, x: Floats, shown: Range, width_px: int) -> Columns:
         """Return `columns_of` these arguments."""
-        same = self._view == (shown, width_px) and self._is_axis(x)
-        if self._columns is None or not same:
+        # Comparing many samples takes longer than computing their columns.
+        is_axis = x is self._axis or (x.size <= _MOST_COMPARED and np.array_equal(x, self._axis))
+        if self._columns is None or self._view != (shown, width_px) or not is_axis:
             self._axis, self._view = x, (shown, width_px)
             self._columns = columns_of(x, shown, width_px)
         return self._columns
-
-    def _is_axis(self, x: Floats) -> bool:
-        # Comparing many samples takes longer than computing their columns.
-        return x is self._axis or (x.size <= _MOST_COMPARED and np.array_equal(x, self._axis))
 
 
 def in_rows(y_px: Floats, ratio: float) -> Floats:

@@ -272,7 +272,8 @@ class Document(QObject):
     def _show(self, design: Design, view: View) -> None:
         view = _existing(view, design)
         if (design, view) != (self.design, self.view):
-            alone = design is self.design and _same_but_for_playhead(view, self.view)
+            looked = replace(self.view, playhead_s=view.playhead_s)
+            alone = design is self.design and view == looked
             self.design, self.view = design, view
             if not self._jumping:
                 (self.playhead_moved if alone else self.changed).emit()
@@ -331,10 +332,6 @@ class ReplaceDesign(QtGui.QUndoCommand):
         self.setText(newer.text())
         self.setObsolete(self.before.is_same(self.after))
         return True
-
-
-def _same_but_for_playhead(view: View, other: View) -> bool:
-    return replace(view, playhead_s=other.playhead_s) == other
 
 
 def _has_saved_snapshots(saved: Design, saved_view: View, view: View) -> bool:

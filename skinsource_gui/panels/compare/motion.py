@@ -96,11 +96,6 @@ class MovingMaps:
         return all(isclose(each, round(each), abs_tol=1e-6) for each in times)
 
     @property
-    def any_passes(self) -> bool:
-        """Whether any of it is no period of a steady tone."""
-        return any(known[0].phasors is None for known in self.loops if known)
-
-    @property
     def longest_s(self) -> float:
         """Duration of the longest loop, s; 0: nothing moves."""
         return max((self.length_s(known[0]) for known in self.loops if known), default=0.0)

@@ -93,11 +93,6 @@ class Marker:
         return _rounded([self.centre + self.push * size, base + half, base - half])
 
 
-def least_radius_px(site: int) -> float:
-    """Return the smallest radius of a site that is in use: its number fits in."""
-    return max(_IN_USE_PX, _DIGIT * len(str(site)) * _LETTERS_PX)
-
-
 def has_room(place: Marker) -> bool:
     """Return whether a number fits into a marker."""
     return place.radius_px >= max(_DIGIT * len(str(place.site)), 0.5) * _LETTERS_PX
@@ -459,7 +454,7 @@ class HandLayout:
 
     def radius_in_use_px(self, site: int) -> float:
         """Return the radius of a site in use or pointed at: its number fits in."""
-        return max(self.radius_px(site), least_radius_px(site))
+        return max(self.radius_px(site), _IN_USE_PX, _DIGIT * len(str(site)) * _LETTERS_PX)
 
     def push(self, site: int) -> QPointF | None:
         """Return the direction of an in-axis contact; ``None`` for a perpendicular one."""

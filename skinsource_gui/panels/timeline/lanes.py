@@ -673,10 +673,6 @@ class LanesView(Canvas):
         """Show the gain curves of tracks, or hide them."""
         self.look(toggle_gain_curves(self.content.design, self.content.view, tracks))
 
-    def set_snaps(self, snaps: bool) -> None:
-        """Set whether edges snap."""
-        self.change(snaps=snaps)
-
     def zoom(self, factor: float) -> None:
         """See a part so many times narrower: around the playhead, or the middle."""
         content = self.content
