@@ -5,12 +5,19 @@ from fractions import Fraction
 from math import inf
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPoint, QRect, QSize, Qt, QTimer, Signal
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.display_units import SHOWN_DIGITS, display_unit, number_text, with_unit
 from skinsource.specs.numbers import NumberSpec
-from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Burst, Editor, new_gesture
+from skinsource_gui.fields.editor import (
+    MIXED,
+    TEMPORARY_LOSSES,
+    Burst,
+    Editor,
+    new_gesture,
+    paint_problem,
+)
 from skinsource_gui.fields.units import (
     COARSE,
     EDITED_DIGITS,
@@ -417,9 +424,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
             middle = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(place, middle, self.unit_text)
         if self.problem and self.editing:
-            painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
-            painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), 4, 4)
+            paint_problem(painter, self.rect())
 
     def _step_to(self, value_si: float) -> None:
         if value_si != self.value_si:
