@@ -100,7 +100,7 @@ def zoomed(shown: Range, anchor: float, factor: float) -> Range:
     return (anchor - (anchor - low) / factor, anchor + (high - anchor) / factor)
 
 
-def within(wanted: Range, extent: Range, shortest: float) -> Range | None:
+def within(wanted: Range, extent: Range, shortest: float = 0.0) -> Range | None:
     """Return ``wanted`` moved and cut to lie in ``extent``; None where it covers all of that.
 
     The range has at least the length ``shortest``.

@@ -16,8 +16,8 @@ from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.plot import Canvas
 from skinsource_gui.plots.preview import SpectrumPreview
-from skinsource_gui.plots.ranges import Points, columns_of, linear_ticks, wave_of
-from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
+from skinsource_gui.plots.ranges import Points, columns_of, linear_ticks, wave_of, within
+from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, zoomed
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import FittingLabel

@@ -45,7 +45,8 @@ from skinsource_gui.panels.timeline.content import (
 from skinsource_gui.panels.timeline.gain import GainItem, GainPoints
 from skinsource_gui.panels.timeline.painting import LanesItem, OverlayItem, PlayheadItem
 from skinsource_gui.plots.plot import PLAYHEAD, Canvas, moved_playhead
-from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
+from skinsource_gui.plots.ranges import within
+from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, zoomed
 from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import DropPlace
