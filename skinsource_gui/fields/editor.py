@@ -4,11 +4,10 @@ from collections.abc import Callable
 from itertools import count
 from typing import TYPE_CHECKING, Any
 
-from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QObject, QRect, QRectF, Qt, QTimer, Signal
+from PySide6 import QtWidgets
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from skinsource.specs.spec import Spec
-from skinsource_gui.qt.theme import current_theme
 
 if TYPE_CHECKING:
     _Widget = QtWidgets.QWidget
@@ -93,10 +92,3 @@ class Burst(QObject):
     def end(self) -> None:
         """Let the next step begin a new burst."""
         self._pause.stop()
-
-
-def paint_problem(painter: QtGui.QPainter, area: QRect) -> None:
-    """Frame a field whose text cannot be read."""
-    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-    painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
-    painter.drawRoundedRect(QRectF(area).adjusted(1, 1, -1, -1), 4, 4)

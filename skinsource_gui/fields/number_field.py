@@ -10,14 +10,7 @@ from PySide6.QtCore import QEvent, QPoint, QRect, QSize, Qt, QTimer, Signal
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.display_units import SHOWN_DIGITS, display_unit, number_text, with_unit
 from skinsource.specs.numbers import NumberSpec
-from skinsource_gui.fields.editor import (
-    MIXED,
-    TEMPORARY_LOSSES,
-    Burst,
-    Editor,
-    new_gesture,
-    paint_problem,
-)
+from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Burst, Editor, new_gesture
 from skinsource_gui.fields.units import (
     COARSE,
     EDITED_DIGITS,
@@ -31,6 +24,7 @@ from skinsource_gui.fields.units import (
     range_text,
     stepped,
 )
+from skinsource_gui.qt.frames import paint_problem
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 from skinsource_gui.qt.layouts import named, show_tip_below, tooltip
 from skinsource_gui.qt.theme import current_theme, letter_scale, tabular

@@ -6,7 +6,8 @@ from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, QTimer, Signal
 from skinsource.base.errors import InvalidInputError
 from skinsource.signals.formula.reading import column_of
 from skinsource.specs.spec import TextSpec
-from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Editor, new_gesture, paint_problem
+from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Editor, new_gesture
+from skinsource_gui.qt.frames import paint_problem
 from skinsource_gui.qt.layouts import named, show_tip_below, tooltip
 from skinsource_gui.qt.theme import current_theme
 

@@ -8,7 +8,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 
 from skinsource.base.conventions import Floats
-from skinsource_gui.qt.theme import Theme, is_on_paper
+from skinsource_gui.qt.theme import Theme, current_theme, is_on_paper
 
 # The nearest point of an outline is at most so far from the middle, in smaller sides of the room.
 _REACH = 0.2
@@ -116,6 +116,13 @@ def paint_focus_frame(painter: QtGui.QPainter, area: QRectF, theme: Theme) -> No
     painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5))
+
+
+def paint_problem(painter: QtGui.QPainter, area: QRect) -> None:
+    """Frame a field whose text cannot be read."""
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+    painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
+    painter.drawRoundedRect(QRectF(area).adjusted(1, 1, -1, -1), 4, 4)
 
 
 def paint_card(painter: QtGui.QPainter, room: QRectF, text: str, theme: Theme) -> None:
