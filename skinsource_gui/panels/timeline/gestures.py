@@ -89,7 +89,7 @@ class GestureContext:
         if self.disturbed:
             self.lanes.mouse.cancel()
             return
-        outcome = edit(self.before.design, self.view, *more)
+        outcome = edit(self.before.design, self.now.view, *more)
         self.lanes.edited.emit(outcome, self.number)
         if isinstance(outcome, Edit):
             # A motion that was edited by hand has become single clips.
