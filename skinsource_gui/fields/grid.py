@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
 from skinsource_gui.qt.buttons import page_label, show_or_hide
-from skinsource_gui.qt.layouts import in_column, named
+from skinsource_gui.qt.layouts import Policy, in_column, named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.windows import WindowEvents
 
@@ -26,7 +26,7 @@ class _FieldLabel(QtWidgets.QLabel):
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(Policy.Fixed, Policy.Fixed)
 
     def sizeHint(self) -> QSize:
         height = max(self.fontMetrics().height() + _AROUND_LINE_PX, LABEL_PX)

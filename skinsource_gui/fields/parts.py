@@ -33,7 +33,7 @@ from skinsource_gui.fields.kinds import fill_kind_menu
 from skinsource_gui.qt.buttons import menu_of, remove_button
 from skinsource_gui.qt.frames import drop_line
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
-from skinsource_gui.qt.layouts import in_column, in_row, tooltip
+from skinsource_gui.qt.layouts import Policy, in_column, in_row, tooltip
 from skinsource_gui.qt.theme import UNIT_PX
 
 
@@ -206,7 +206,7 @@ class RowTitle(QtWidgets.QToolButton):
         self.setStyleSheet("QToolButton { text-align: left; }")
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(Policy.Ignored, Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         keys = f"{key_text(place, 'shift_up')}, {key_text(place, 'shift_down')}"
         self._hint = f"Click: show or hide its settings. Drag, or {keys}: another place {where}"

@@ -8,7 +8,7 @@ from skinsource.signals.formula.reading import column_of
 from skinsource.specs.spec import TextSpec
 from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Editor, new_gesture
 from skinsource_gui.qt.frames import paint_problem
-from skinsource_gui.qt.layouts import named, show_tip_below, tooltip
+from skinsource_gui.qt.layouts import Policy, named, show_tip_below, tooltip
 from skinsource_gui.qt.theme import current_theme
 
 _MOST_LINES = 6
@@ -44,9 +44,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         self.setUndoRedoEnabled(False)
         self.setAcceptDrops(False)  # files are dropped on the window
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Fixed)
         self.setMinimumWidth(72)
         family = QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont).family()
         font = QtGui.QFont(self.font())

@@ -10,6 +10,7 @@ from PySide6.QtCore import QRectF, QSize, Qt, QTimer
 from skinsource.base.errors import SkinSourceError, sentence
 from skinsource.base.files import path_text
 from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.layouts import Policy
 from skinsource_gui.qt.questions import ask_save
 from skinsource_gui.qt.theme import set_tone
 from skinsource_gui.state.preferences import Preferences
@@ -29,8 +30,7 @@ class PictureView(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.image = QtGui.QImage()
-        expanding = QtWidgets.QSizePolicy.Policy.Expanding
-        self.setSizePolicy(expanding, expanding)
+        self.setSizePolicy(Policy.Expanding, Policy.Expanding)
 
     def sizeHint(self) -> QSize:
         return QSize(360, 480)

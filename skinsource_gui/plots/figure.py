@@ -12,7 +12,7 @@ from skinsource_gui.plots.ranges import Range, SteadyRange, Tick, log_ticks, rea
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import paint_focus_frame, polygon
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.layouts import named
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, on_paper, scaled, tabular
 
 # Letters become no smaller than this part of those around them.
@@ -49,9 +49,7 @@ class NoteLabel(QtWidgets.QLabel):
         self.setFont(tabular(self.font()))
         self.setWordWrap(True)
         self.setProperty("tone", "dim")
-        policy = QtWidgets.QSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        policy = QtWidgets.QSizePolicy(Policy.Ignored, Policy.Fixed)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
 

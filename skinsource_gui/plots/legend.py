@@ -10,7 +10,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRect, QSize, Qt
 
 from skinsource_gui.plots.curves import CurveName
-from skinsource_gui.qt.layouts import named
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, scaled, tabular
 
 #: Stands in `LegendText.where` while the readings are the peaks of curves.
@@ -239,7 +239,7 @@ class LegendStrip(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         named(self, "legend", "Curves and readings")
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(Policy.Ignored, Policy.Fixed)
         #: The content.
         self.text = LegendText()
         self._n_lines = 1

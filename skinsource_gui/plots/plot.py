@@ -43,6 +43,7 @@ from skinsource_gui.plots.ranges import (
 )
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import Policy
 from skinsource_gui.qt.theme import PAPER_DOTS, UNIT_PX, current_theme, scaled, tabular
 from skinsource_gui.qt.wheel import ScrollGesture
 
@@ -573,9 +574,7 @@ class Plot(Canvas):
     def __init__(self, parent: QtWidgets.QWidget | None = None, *, on_paper: bool = False) -> None:
         super().__init__(parent)
         self._on_paper = on_paper
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Expanding)
         self.setCursor(Qt.CursorShape.CrossCursor)
         self.scene().setMoveDistance(_DRAG_PX)
         self.curves: Curves | None = None

@@ -20,7 +20,7 @@ from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
 from skinsource_gui.plots.ranges import CachedColumns, Range, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
-from skinsource_gui.qt.layouts import named, show_tooltip
+from skinsource_gui.qt.layouts import Policy, named, show_tooltip
 from skinsource_gui.qt.theme import (
     UNIT_PX,
     current_theme,
@@ -42,9 +42,7 @@ class _Preview(QtWidgets.QWidget):
         super().__init__()
         named(self, name, title)
         self.setFont(tabular(self.font()))
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Expanding)
 
 
 class SpectrumPreview(_Preview):

@@ -7,7 +7,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, QTimer
 
 from skinsource_gui.qt.keys import key_text
-from skinsource_gui.qt.layouts import named
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import current_theme, letter_scale, set_tone, tabular
 
 
@@ -114,9 +114,7 @@ class Fold(QtWidgets.QToolButton):
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Fixed)
         self._content = content
         self.toggled.connect(self._follow)
         self._follow(False)
@@ -219,7 +217,7 @@ class Swatch(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("swatch")
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(Policy.Fixed, Policy.Fixed)
         self._number = 0
         self._colour_number = 0
         self._silent = False

@@ -6,7 +6,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QSize, Qt
 
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.layouts import named
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import UNIT_PX, tabular
 
 #: Hints how to select an input, a clip, and outputs.
@@ -26,7 +26,7 @@ class FittingLabel(QtWidgets.QLabel):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._phrases: tuple[str, ...] = ("",)
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(Policy.Ignored, Policy.Fixed)
 
     def show_phrases(self, phrases: Sequence[str]) -> None:
         """Set the phrases, longest first."""

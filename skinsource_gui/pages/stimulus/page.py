@@ -44,7 +44,7 @@ from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, reme
 from skinsource_gui.plots.ranges import in_rows, without_notches
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scrolled, show_or_hide
 from skinsource_gui.qt.labels import RowTable
-from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
+from skinsource_gui.qt.layouts import Policy, in_column, in_row, named, tooltip
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, dots_in_px, set_tone, tabular
 from skinsource_gui.state.worker import fault_text
@@ -63,9 +63,7 @@ class ChannelsView(QtWidgets.QWidget):
         #: The channels that are painted.
         self.channels: tuple[ChannelOverview, ...] = ()
         self._colours: Mapping[int, int] = {}
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Fixed)
 
     def sizeHint(self) -> QSize:
         return QSize(_TEXT_PX + 2 * _LEAST_PX, len(self.channels) * (_ROW_PX + _GAP_PX))
