@@ -32,7 +32,7 @@ from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import BEFORE_S, Range
 from skinsource_gui.qt.fitting import FoldingRow, fit_to_letters, grouped
-from skinsource_gui.qt.layouts import Policy
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.compared import SILENT
 
@@ -229,8 +229,7 @@ class SpectrogramView(FigureView):
         self._results: Mapping[str, Any] | None = None
         self.output = ChoiceField(ChoiceSpec(label="Output", options=()), empty="Select outputs")
         self.output.setObjectName("spectrogram_output")
-        self.window_length = ChoiceField(WINDOW)
-        self.window_length.setObjectName("spectrogram_window")
+        self.window_length = named(ChoiceField(WINDOW), "spectrogram_window")
         self.floor = NumberField(FLOOR, widest_unit="Hz")
         self.ceiling = NumberField(CEILING, widest_unit="Hz")
         for choice in (self.output, self.window_length):

@@ -174,13 +174,9 @@ def paint_selection(
 def paint_cursor(painter: QtGui.QPainter, place: Marker, theme: Theme) -> None:
     """Paint the dashed ring of the keyboard's cursor."""
     radius = place.radius_px * (1.0 if place.push is None else 1.3) + 7.5
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 4.0))
-    painter.drawEllipse(place.centre, radius, radius)
     pen = QtGui.QPen(QtGui.QColor(theme.accent), 2.0)
     pen.setDashPattern([3.0, 2.0])
-    painter.setPen(pen)
-    painter.drawEllipse(place.centre, radius, radius)
+    paint_ring(painter, place.centre, radius, pen, theme)
 
 
 def _rounded(corners: list[QPointF]) -> QtGui.QPainterPath:

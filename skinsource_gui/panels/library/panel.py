@@ -73,13 +73,9 @@ class SearchRow(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.line, self.tags = QtWidgets.QLineEdit(), DropDown()
-        self.line.setObjectName("preset_search")
-        self.line.setPlaceholderText("Search")
-        self.line.setAccessibleName("Search presets")
-        self.line.setToolTip(
-            "Words of the name, tags, description or source; "
-            f"{KEYS['library'].gestures['place'].shown} places"
-        )
+        places = f"{KEYS['library'].gestures['place'].shown} places"
+        hint = f"Words of the name, tags, description or source; {places}"
+        named(self.line, "preset_search", "Search presets", hint).setPlaceholderText("Search")
         self.line.setClearButtonEnabled(True)
         self.line.textChanged.connect(self.changed)
         self.line.installEventFilter(self)

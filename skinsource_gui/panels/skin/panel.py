@@ -119,14 +119,12 @@ class SkinPanel(Panel):
         self._block = 0
         self.content = MapContent()
         # The Tab key goes through them in this order.
-        self.measure, self.map = MeasureLine(self), SkinMap(self)
-        self.colour_bar, self.scrub = ColourBar(self), ScrubBar(self)
+        self.measure, self.map = MeasureLine(self), named(SkinMap(self), "skin_map")
+        self.colour_bar, self.scrub = named(ColourBar(self), "skin_colour_bar"), ScrubBar(self)
         self.note = _line("skin_note", "Note on the map", self)
         self.readout = _line("skin_readout", "Under the pointer", self)
         self.strongest = FixedLabel("−888.8 dB", self)
         set_tone(self.note, "warning")
-        self.map.setObjectName("skin_map")
-        self.colour_bar.setObjectName("skin_colour_bar")
         foot = in_row((self.readout, 1), self.strongest, margins=0)
         parts = self.measure, (self.map, 1), self.colour_bar, self.scrub, self.note, foot
         edges = UNIT_PX, UNIT_PX // 4, UNIT_PX, UNIT_PX // 4

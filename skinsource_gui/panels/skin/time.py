@@ -71,8 +71,7 @@ class ScrubBar(QtWidgets.QWidget):
         self.time.setFont(tabular(self.time.font()))
         self.time.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         options = ("0", "Automatic"), *PACE.options, ("500", "1/500"), ("1000", "1/1000")
-        self.pace = ChoiceField(replace(PACE, options=options), self)
-        self.pace.setObjectName("skin_pace")
+        self.pace = named(ChoiceField(replace(PACE, options=options), self), "skin_pace")
         self.pace.setMinimumContentsLength(5)
         row = self.play, (self.slider, 1), self.time, self.pace
         in_row(*row, of=self, margins=0, gap_px=UNIT_PX // 2)
