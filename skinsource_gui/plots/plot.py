@@ -1,7 +1,7 @@
 """Plots of curves over one x axis, on pyqtgraph, with crosshair, playhead, zoom and pan.
 
-`Canvas` is the base of all views of pyqtgraph.  `Crosshair`, `MovableLine`, `Cursors` and
-`Navigation` are parts of `Plot`.
+`Canvas` is the base of all views of pyqtgraph, `CanvasItem` that of layers that paint themselves.
+`Crosshair`, `MovableLine`, `Cursors` and `Navigation` are parts of `Plot`.
 """
 
 from bisect import bisect_left, bisect_right
@@ -118,6 +118,31 @@ class Canvas(pyqtgraph.GraphicsView):
         # pyqtgraph's constructor calls this too, without an event.
         if event is not None:
             self.lay_out()
+
+
+class CanvasItem(pyqtgraph.GraphicsObject):
+    """One layer of a canvas, with its rectangle and font."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._font = QtGui.QFont()
+        self._rect = QRectF(0, 0, 1, 1)
+
+    def show_font(self, font: QtGui.QFont) -> None:
+        """Take over a font."""
+        self._font = font
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def _set_rect(self, rect: QRectF) -> bool:
+        """Take over a rectangle; return whether it is another one."""
+        changed = rect != self._rect
+        if changed:
+            self.prepareGeometryChange()
+            self._rect = rect
+        return changed
 
 
 class Crosshair(QObject):
