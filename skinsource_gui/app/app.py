@@ -108,7 +108,6 @@ class GarbageCollector(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         gc.disable()
-        self._young, self._middle = 0, 0
         for interval_ms, work in (
             (_LOOK_EVERY_MS, self.collect_what_is_due),
             (_FORGET_EVERY_MS, linecache.clearcache),
@@ -121,21 +120,16 @@ class GarbageCollector(QObject):
 
     def collect_what_is_due(self) -> int | None:
         """Collect; return up to which generation, or None where too little is new."""
-        if gc.get_count()[_YOUNG] < _NEW_OBJECTS:
+        new, young, middle = gc.get_count()
+        if new < _NEW_OBJECTS:
             return None
-        generation = self._due()
+        generation = _YOUNG
+        if young >= _TIMES:
+            # The oldest take long: they wait for the end of a drag.
+            dragged = QtWidgets.QApplication.mouseButtons() != Qt.MouseButton.NoButton
+            generation = _MIDDLE if middle < _TIMES or dragged else _OLD
         gc.collect(generation)
-        self._young = 0 if generation > _YOUNG else self._young + 1
-        if generation > _YOUNG:
-            self._middle = 0 if generation == _OLD else self._middle + 1
         return generation
-
-    def _due(self) -> int:
-        if self._young < _TIMES:
-            return _YOUNG
-        # This one takes long: it waits for the end of a drag.
-        dragged = QtWidgets.QApplication.mouseButtons() != Qt.MouseButton.NoButton
-        return _MIDDLE if self._middle < _TIMES or dragged else _OLD
 
 
 #: While the worker computes, the window gets its turn after this time, and so does a device that

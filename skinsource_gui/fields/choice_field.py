@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from skinsource.base.errors import printable
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editor import MIXED, Burst, Editor
-from skinsource_gui.qt.layouts import named, tooltip
+from skinsource_gui.qt.layouts import Policy, named, tooltip
 
 # Between an icon and its text.
 _BESIDE_PX = 4
@@ -105,9 +105,7 @@ class ChoiceField(Editor, DropDown):
         self._unknown, self._empty, self._mixed = "", empty, False
         self.set_spec(spec)
         named(self, title=spec.label, hint=tooltip(spec.label, spec.hint))
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Fixed)
         self.activated.connect(self._choose)
 
     def set_spec(self, spec: ChoiceSpec) -> None:

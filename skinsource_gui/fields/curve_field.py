@@ -31,7 +31,7 @@ from skinsource.specs.breakpoints import (
 from skinsource_gui.fields.editor import Burst, Editor, new_gesture
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import arrow_steps, claims_shortcut, meaning_of
-from skinsource_gui.qt.layouts import tooltip
+from skinsource_gui.qt.layouts import Policy, tooltip
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
 
 # A click selects a point or the curve from this far away.
@@ -187,9 +187,7 @@ class CurveField(Editor, QtWidgets.QWidget):
         self._drag: tuple[int, Points, QPointF] | None = None
         self.setAccessibleName(spec.label)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Fixed)
         self.setFont(tabular(self.font()))
         self.setToolTip(tooltip(f"{spec.hint}. Click to add a point, drag to move it"))
 

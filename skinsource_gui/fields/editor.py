@@ -4,11 +4,10 @@ from collections.abc import Callable
 from itertools import count
 from typing import TYPE_CHECKING, Any
 
-from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QObject, QRectF, Qt, QTimer, Signal
+from PySide6 import QtWidgets
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from skinsource.specs.spec import Spec
-from skinsource_gui.qt.theme import current_theme
 
 if TYPE_CHECKING:
     _Widget = QtWidgets.QWidget
@@ -93,41 +92,3 @@ class Burst(QObject):
     def end(self) -> None:
         """Let the next step begin a new burst."""
         self._pause.stop()
-
-
-class TextMark:
-    """Underlines the place in ``text`` where reading stopped, and frames the text."""
-
-    def __init__(self, text: QtWidgets.QPlainTextEdit) -> None:
-        self._text = text
-        self.column: int | None = None
-
-    def put(self, column: int | None) -> None:
-        """Mark a letter, counted from 1; None: there is no error."""
-        self.column = column
-        letters, marks = self._text.toPlainText(), []
-        if column is not None and letters:
-            mark = QtWidgets.QTextEdit.ExtraSelection()
-            # At the end of the text the last letter is underlined.
-            start = min(column, len(letters)) - 1
-            mark.cursor = QtGui.QTextCursor(self._text.document())
-            mark.cursor.setPosition(start)
-            mark.cursor.setPosition(start + 1, QtGui.QTextCursor.MoveMode.KeepAnchor)
-            style = QtGui.QTextCharFormat()
-            style.setForeground(QtGui.QColor(current_theme().error))
-            style.setUnderlineColor(QtGui.QColor(current_theme().error))
-            style.setUnderlineStyle(QtGui.QTextCharFormat.UnderlineStyle.SingleUnderline)
-            style.setFontWeight(QtGui.QFont.Weight.Bold)
-            mark.format = style
-            marks.append(mark)
-        self._text.setExtraSelections(marks)
-        self._text.viewport().update()
-
-    def paint_frame(self) -> None:
-        """Frame the text, while it is painted."""
-        painter = QtGui.QPainter(self._text.viewport())
-        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
-        inside = QRectF(self._text.viewport().rect()).adjusted(1, 1, -1, -1)
-        painter.drawRoundedRect(inside, 4, 4)
-        painter.end()

@@ -273,8 +273,7 @@ class PointsEditor(CurveText):
         super().__init__(spec, parent)
         self.curves: dict[Column, GlideCurve] = {}
         for name, column_spec in zip(_COLUMNS, spec.columns[1:], strict=False):
-            curve = GlideCurve(_spec_of(spec.columns[0], column_spec), self)
-            curve.setObjectName(f"{name}_curve")
+            curve = named(GlideCurve(_spec_of(spec.columns[0], column_spec), self), f"{name}_curve")
             curve.edited.connect(partial(self._draw, name))
             self.curves[name] = curve
             self.column.addWidget(curve)

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
 from skinsource_gui.qt.buttons import page_label, show_or_hide
-from skinsource_gui.qt.layouts import named
+from skinsource_gui.qt.layouts import Policy, in_column, named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.windows import WindowEvents
 
@@ -26,7 +26,7 @@ class _FieldLabel(QtWidgets.QLabel):
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(Policy.Fixed, Policy.Fixed)
 
     def sizeHint(self) -> QSize:
         height = max(self.fontMetrics().height() + _AROUND_LINE_PX, LABEL_PX)
@@ -50,9 +50,7 @@ class LabelledCell(QtWidgets.QWidget):
         self.across = False
         self.label: QtWidgets.QLabel = _FieldLabel(text)
         set_tone(self.label, "dim")
-        self.stack = QtWidgets.QVBoxLayout(self)
-        self.stack.setContentsMargins(0, 0, 0, 0)
-        self.stack.setSpacing(2)
+        self.stack = in_column(of=self, margins=0, gap_px=2)
 
 
 def discard(cells: Sequence[LabelledCell], heir: QtWidgets.QWidget | None) -> None:

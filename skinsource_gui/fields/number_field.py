@@ -5,7 +5,7 @@ from fractions import Fraction
 from math import inf
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPoint, QRect, QSize, Qt, QTimer, Signal
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.display_units import SHOWN_DIGITS, display_unit, number_text, with_unit
@@ -24,6 +24,7 @@ from skinsource_gui.fields.units import (
     range_text,
     stepped,
 )
+from skinsource_gui.qt.frames import paint_problem
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 from skinsource_gui.qt.layouts import named, show_tip_below, tooltip
 from skinsource_gui.qt.theme import current_theme, letter_scale, tabular
@@ -417,9 +418,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
             middle = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(place, middle, self.unit_text)
         if self.problem and self.editing:
-            painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
-            painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), 4, 4)
+            paint_problem(painter, self.rect())
 
     def _step_to(self, value_si: float) -> None:
         if value_si != self.value_si:

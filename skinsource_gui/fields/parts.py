@@ -30,10 +30,10 @@ from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
 from skinsource_gui.fields.grid import EditedCell, FieldGrid, discard, forget_typing
 from skinsource_gui.fields.kinds import fill_kind_menu
-from skinsource_gui.qt.buttons import remove_button
+from skinsource_gui.qt.buttons import menu_of, remove_button
 from skinsource_gui.qt.frames import drop_line
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
-from skinsource_gui.qt.layouts import in_column, in_row, tooltip
+from skinsource_gui.qt.layouts import Policy, in_column, in_row, tooltip
 from skinsource_gui.qt.theme import UNIT_PX
 
 
@@ -44,13 +44,9 @@ class AddButton(QtWidgets.QToolButton):
         super().__init__()
         self.setObjectName(name)
         self.setText("Add…")
-        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QtWidgets.QMenu(self)
-        self.setMenu(menu)
+        menu_of(self, fill)
         # The dots in the text already tell that there is a menu.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }")
-        menu.aboutToShow.connect(menu.clear)
-        menu.aboutToShow.connect(partial(fill, menu))
 
 
 class PartFields(QObject):
@@ -210,7 +206,7 @@ class RowTitle(QtWidgets.QToolButton):
         self.setStyleSheet("QToolButton { text-align: left; }")
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(Policy.Ignored, Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         keys = f"{key_text(place, 'shift_up')}, {key_text(place, 'shift_down')}"
         self._hint = f"Click: show or hide its settings. Drag, or {keys}: another place {where}"
@@ -322,10 +318,7 @@ class FieldsRow(QtWidgets.QWidget):
         self.title, self.remove_button = title, remove_button()
         self.grid = FieldGrid()
         self.grid.hide()
-        head = QtWidgets.QHBoxLayout()
-        head.setSpacing(gap_px)
-        for part in (*before, title, self.remove_button):
-            head.addWidget(part, 1 if part is title else 0)
+        head = in_row(*before, (title, 1), self.remove_button, gap_px=gap_px)
         in_column(head, self.grid, of=self, margins=0, gap_px=UNIT_PX // 4)
         title.opened.connect(self._open)
         self.remove_button.clicked.connect(self.removed)

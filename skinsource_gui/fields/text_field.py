@@ -6,8 +6,10 @@ from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, QTimer, Signal
 from skinsource.base.errors import InvalidInputError
 from skinsource.signals.formula.reading import column_of
 from skinsource.specs.spec import TextSpec
-from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Editor, TextMark, new_gesture
-from skinsource_gui.qt.layouts import named, show_tip_below, tooltip
+from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Editor, new_gesture
+from skinsource_gui.qt.frames import paint_problem
+from skinsource_gui.qt.layouts import Policy, named, show_tip_below, tooltip
+from skinsource_gui.qt.theme import current_theme
 
 _MOST_LINES = 6
 _EDGE_PX = 5
@@ -34,7 +36,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         # The value before what is being typed, None where it was mixed; and the gesture of that.
         self._start: str | None = None
         self._gesture: int | None = None
-        self._mark = TextMark(self)
+        self._marked: int | None = None
         self.problem = ""
         named(self, title=spec.label, hint=tooltip(spec.label, spec.hint))
         self.setTabChangesFocus(True)
@@ -42,9 +44,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         self.setUndoRedoEnabled(False)
         self.setAcceptDrops(False)  # files are dropped on the window
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Fixed)
         self.setMinimumWidth(72)
         family = QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont).family()
         font = QtGui.QFont(self.font())
@@ -64,7 +64,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         """Show another value without a signal.  A typed text stays if the value is the same."""
         before, self._value = self._value, value
         if value == self.text():
-            self._mark.put(None)
+            self._mark(None)
             self._set_problem("")
         elif value != before:
             self._restore()
@@ -72,7 +72,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     def mark_error(self, reason: str) -> None:
         """Mark the place that a reason names, and show the reason as long as the text stays."""
         if self.text() != self._value:
-            self._mark.put(column_of(reason))
+            self._mark(column_of(reason))
             self._set_problem(reason)
             self._revert()
 
@@ -95,7 +95,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
-            self._mark.put(self._mark.column)
+            self._mark(self._marked)
 
     def sizeHint(self) -> QSize:
         lines = min(max(self._lines(), 1), _MOST_LINES)
@@ -145,7 +145,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)
         if self.problem:
-            self._mark.paint_frame()
+            paint_problem(QtGui.QPainter(self.viewport()), self.viewport().rect())
 
     def _read(self) -> None:
         self._fit()
@@ -158,7 +158,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
             self._spec.checked(text)
         except InvalidInputError as error:
             problem, column = str(error), getattr(error, "column", None)
-        self._mark.put(column)
+        self._mark(column)
         self._set_problem(problem)
         if problem:
             self._revert()
@@ -167,6 +167,27 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
                 self._gesture = new_gesture()
                 self._start = None if self._mixed else self._value
             self.edited.emit(text, self._gesture)
+
+    def _mark(self, column: int | None) -> None:
+        """Underline a letter, counted from 1, where reading stopped; None: there is no error."""
+        self._marked = column
+        letters, marks = self.toPlainText(), []
+        if column is not None and letters:
+            mark = QtWidgets.QTextEdit.ExtraSelection()
+            # At the end of the text the last letter is underlined.
+            start = min(column, len(letters)) - 1
+            mark.cursor = QtGui.QTextCursor(self.document())
+            mark.cursor.setPosition(start)
+            mark.cursor.setPosition(start + 1, QtGui.QTextCursor.MoveMode.KeepAnchor)
+            style = QtGui.QTextCharFormat()
+            style.setForeground(QtGui.QColor(current_theme().error))
+            style.setUnderlineColor(QtGui.QColor(current_theme().error))
+            style.setUnderlineStyle(QtGui.QTextCharFormat.UnderlineStyle.SingleUnderline)
+            style.setFontWeight(QtGui.QFont.Weight.Bold)
+            mark.format = style
+            marks.append(mark)
+        self.setExtraSelections(marks)
+        self.viewport().update()
 
     def _revert(self) -> None:
         """Give up the valid half of a text that became invalid: the value is as before it."""
@@ -178,7 +199,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         self._gesture = None
         self._last_read = "" if self._mixed else self._value
         self.setPlainText(self._last_read)
-        self._mark.put(None)
+        self._mark(None)
         self._set_problem("")
 
     def _set_problem(self, problem: str) -> None:

@@ -360,7 +360,7 @@ class LibraryActions(QObject):
                 page.show_problem(str(error))
                 return
             self.done.emit(f"Saved “{preset.name}” to the library")
-            page.accept()
+            page.close()
 
         page.chosen.connect(save)
         page.open()

@@ -12,6 +12,7 @@ from skinsource.design.design import Design, View
 from skinsource.design.presets.presets import Preset, tags_of, whole_design
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.qt.buttons import Answer, answers
 from skinsource_gui.qt.layouts import add_row, in_column
 
 
@@ -82,10 +83,7 @@ class SavePage(ToolPage):
         self.name, self.tags = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
         self.description, self.source = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
         self.message.hide()
-        self.buttons = QtWidgets.QDialogButtonBox(
-            QtWidgets.QDialogButtonBox.StandardButton.Save
-            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
-        )
+        self.buttons = answers(self, Answer.Save)
         form = QtWidgets.QFormLayout()
         self.tags.setPlaceholderText("with commas between: tap, texture")
         self.description.setPlaceholderText("what it is for")
@@ -101,8 +99,6 @@ class SavePage(ToolPage):
         in_column(form, self.message, None, self.buttons, of=self)
         self.what.currentIndexChanged.connect(self._suggest)
         self.name.textChanged.connect(self._check)
-        self.buttons.accepted.connect(self._choose)
-        self.buttons.rejected.connect(self.reject)
         self._suggest()
         self.name.setFocus()
 
@@ -120,10 +116,9 @@ class SavePage(ToolPage):
         self._check()
 
     def _check(self) -> None:
-        save = self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Save)
-        save.setEnabled(bool(self.name.text().strip()))
+        self.buttons.button(Answer.Save).setEnabled(bool(self.name.text().strip()))
 
-    def _choose(self) -> None:
+    def accept(self) -> None:
         try:
             preset = Preset(
                 name=" ".join(self.name.text().split()),

@@ -199,7 +199,6 @@ class PathLayer(Overlay):
             self._paint_leg(painter, here, there)
         for place in dict.fromkeys(on_hand):
             self._paint_order(painter, place)
-        painter.end()
 
     def _paint_place(self, painter: QtGui.QPainter, number: int) -> None:
         place = Marker(

@@ -8,7 +8,10 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QRectF, QSize, Qt, QTimer
 
 from skinsource.base.errors import SkinSourceError, sentence
+from skinsource.base.files import path_text
 from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.layouts import Policy
+from skinsource_gui.qt.questions import ask_save
 from skinsource_gui.qt.theme import set_tone
 from skinsource_gui.state.preferences import Preferences
 
@@ -27,8 +30,7 @@ class PictureView(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.image = QtGui.QImage()
-        expanding = QtWidgets.QSizePolicy.Policy.Expanding
-        self.setSizePolicy(expanding, expanding)
+        self.setSizePolicy(Policy.Expanding, Policy.Expanding)
 
     def sizeHint(self) -> QSize:
         return QSize(360, 480)
@@ -121,15 +123,15 @@ class ToolPage(QtWidgets.QDialog):
 
     def ask_save(self, title: str, kinds: str, start: Path) -> Path | None:
         """Ask for a file to write; None where the user has chosen none."""
-        name, _ = QtWidgets.QFileDialog.getSaveFileName(self, title, str(start), kinds)
-        return Path(name) if name else None
+        return ask_save(self, title, start, kinds)
 
-    def save_as(self, path: Path, write: Callable[[], object], preferences: Preferences) -> None:
-        """Write a file, and say that it is saved, or why it is not; remember its folder."""
+    def save_as(self, path: Path, write: Callable[[], object], preferences: Preferences) -> bool:
+        """Write a file and remember its folder, or say why not; return whether it is written."""
         try:
             write()
         except SkinSourceError as error:
             self.complain(str(error))
-            return
+            return False
         preferences.folder = path.parent
-        self.say(f"Saved {path.name}.")
+        self.say(f"Saved {path_text(Path(path.name))}.")
+        return True

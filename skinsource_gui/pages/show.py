@@ -137,14 +137,10 @@ class ShowPage(ToolPage):
         )
         if path is None:
             return False
-        path = path if path.suffix == SHOW_SUFFIX else path.with_name(f"{path.name}{SHOW_SUFFIX}")
-        try:
-            save_show(path, self.entries)
-        except SkinSourceError as error:
-            self.complain(str(error))
+        write = partial(save_show, path, self.entries)
+        if not self.save_as(path, write, self._preferences):
             return False
         self._path, self._saved = path, self.entries
-        self.say(f"Saved {path.name}")
         self.saved.emit(path, self._saved)
         return True
 

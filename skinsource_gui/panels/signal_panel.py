@@ -91,7 +91,7 @@ class SignalPanel(OutputsPanel):
 
     def say_instead(self, message: str) -> None:
         self._results = None
-        self._plot.show_message(message)
+        self._plot.plot.show_message(message)
 
     def await_results(self) -> None:
         self._plot.wait_for_curves()

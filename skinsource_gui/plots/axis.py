@@ -424,10 +424,6 @@ class Stack:
         hint = "" if window.shown[0] < high and low < window.shown[1] else _NOTHING_HERE
         self.hint.say(hint, QtGui.QColor(current_theme().dim), self._font)
 
-    def place_message(self, room: QRectF) -> None:
-        """Set the area of messages."""
-        self.message.setGeometry(room.adjusted(2 * UNIT_PX, UNIT_PX, -2 * UNIT_PX, -UNIT_PX))
-
     def show_points(self, points: tuple[CurvePoints, ...]) -> None:
         """Draw curves: all in one row, or one in each row."""
         for row, of_row in zip(self.rows, self._by_row(points), strict=True):

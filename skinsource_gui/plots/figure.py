@@ -10,8 +10,9 @@ from PySide6.QtCore import QEvent, QLineF, QPoint, QPointF, QRect, QRectF, QSize
 from skinsource.base.conventions import Floats
 from skinsource_gui.plots.ranges import Range, SteadyRange, Tick, log_ticks, readable_ticks
 from skinsource_gui.qt.buttons import passing_menu
-from skinsource_gui.qt.frames import paint_focus_frame
+from skinsource_gui.qt.frames import paint_focus_frame, polygon
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, on_paper, scaled, tabular
 
 # Letters become no smaller than this part of those around them.
@@ -48,9 +49,7 @@ class NoteLabel(QtWidgets.QLabel):
         self.setFont(tabular(self.font()))
         self.setWordWrap(True)
         self.setProperty("tone", "dim")
-        policy = QtWidgets.QSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        policy = QtWidgets.QSizePolicy(Policy.Ignored, Policy.Fixed)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
 
@@ -176,7 +175,7 @@ class Axes:
 
     def polygon(self, x: Floats, y: Floats) -> QtGui.QPolygonF:
         """Return a line through points."""
-        return QtGui.QPolygonF([QPointF(*place) for place in self.to_screen(x, y)])
+        return polygon(self.to_screen(x, y))
 
     def title_place(self, metrics: QtGui.QFontMetricsF) -> QRectF:
         """Return the area of the title of x: below the frame, and left of it if that is narrow."""
@@ -308,8 +307,7 @@ class Figure(QtWidgets.QWidget):
         self.cursor_at: QPointF | None = None
         self.axes: Axes | None = None
         self.message, self.steady_range = "", SteadyRange()
-        self.setObjectName(name)
-        self.setAccessibleName(accessible_name)
+        named(self, name, accessible_name)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
 
@@ -361,7 +359,6 @@ class Figure(QtWidgets.QWidget):
         self.paint(painter, room)
         if self.hasFocus():
             paint_focus_frame(painter, room, current_theme())
-        painter.end()
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._meaning_of) or super().event(event)

@@ -10,6 +10,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRect, QSize, Qt
 
 from skinsource_gui.plots.curves import CurveName
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, scaled, tabular
 
 #: Stands in `LegendText.where` while the readings are the peaks of curves.
@@ -237,9 +238,8 @@ class LegendStrip(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("legend")
-        self.setAccessibleName("Curves and readings")
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
+        named(self, "legend", "Curves and readings")
+        self.setSizePolicy(Policy.Ignored, Policy.Fixed)
         #: The content.
         self.text = LegendText()
         self._n_lines = 1
@@ -293,7 +293,6 @@ class LegendStrip(QtWidgets.QWidget):
             painter.setPen(QtGui.QColor(current_theme().text))
             room = QRect(0, last * advance, self.width() - UNIT_PX // 2, row_px)
             painter.drawText(room, _AT_RIGHT, layout.where(self.text.where, detail))
-        painter.end()
 
     @property
     def text_layout(self) -> LegendLayout:

@@ -41,6 +41,7 @@ from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource.studies import scenes
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.units import minus
+from skinsource_gui.qt.layouts import form_of
 from skinsource_gui.qt.resources import number_named
 from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, theme_label
 
@@ -90,11 +91,6 @@ LAYOUTS = (
 )
 #: Name of a size that is none of these.
 OWN = "own"
-
-
-def layout_of(name: str) -> Layout | None:
-    """Return the layout of that name; None for any other size."""
-    return next((layout for layout in LAYOUTS if layout.name == name), None)
 
 
 #: Draws a picture: painter, width and height in px, and for some a ``theme``.
@@ -562,8 +558,7 @@ class PictureForm(QtWidgets.QWidget):
         self.options, self._most_px, self._remark = options, most_px, remark
         self._usual, self._below = shape or (options.width_px, options.height_px), below
         self._cells: dict[str, FieldCell] = {}
-        self._form = QtWidgets.QFormLayout(self)
-        self._form.setContentsMargins(0, 0, 0, 0)
+        self._form = form_of(self)
         for name, spec in _specs(options).items():
             self._cells[name] = cell = FieldCell(name, spec)
             cell.set_value(getattr(options, name))
@@ -583,8 +578,8 @@ class PictureForm(QtWidgets.QWidget):
         if isinstance(value, float) and isinstance(spec, NumberSpec) and spec.whole:
             value = int(value)
         changes: dict[str, Any] = {name: value}
-        layout = layout_of(str(value)) if name == "layout" else None
-        if layout is not None:
+        layout = next((each for each in LAYOUTS if each.name == value), None)
+        if name == "layout" and layout is not None:
             width, height = layout.size_px(self._usual, self._below)
             dpi = layout.dpi
             if self._most_px is not None:

@@ -1,7 +1,7 @@
 """Plots of curves over one x axis, on pyqtgraph, with crosshair, playhead, zoom and pan.
 
-`Canvas` is the base of all views of pyqtgraph.  `Crosshair`, `MovableLine`, `Cursors` and
-`Navigation` are parts of `Plot`.
+`Canvas` is the base of all views of pyqtgraph, `CanvasItem` that of layers that paint themselves.
+`Crosshair`, `MovableLine`, `Cursors` and `Navigation` are parts of `Plot`.
 """
 
 from bisect import bisect_left, bisect_right
@@ -43,7 +43,8 @@ from skinsource_gui.plots.ranges import (
 )
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.theme import PAPER_DOTS, current_theme, scaled, tabular
+from skinsource_gui.qt.layouts import Policy
+from skinsource_gui.qt.theme import PAPER_DOTS, UNIT_PX, current_theme, scaled, tabular
 from skinsource_gui.qt.wheel import ScrollGesture
 
 
@@ -111,13 +112,37 @@ class Canvas(pyqtgraph.GraphicsView):
         if self.hasFocus():
             painter = QtGui.QPainter(self.viewport())
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
-            painter.end()
 
     def resizeEvent(self, event: QtGui.QResizeEvent | None) -> None:
         super().resizeEvent(event)
         # pyqtgraph's constructor calls this too, without an event.
         if event is not None:
             self.lay_out()
+
+
+class CanvasItem(pyqtgraph.GraphicsObject):
+    """One layer of a canvas, with its rectangle and font."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._font = QtGui.QFont()
+        self._rect = QRectF(0, 0, 1, 1)
+
+    def show_font(self, font: QtGui.QFont) -> None:
+        """Take over a font."""
+        self._font = font
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def _set_rect(self, rect: QRectF) -> bool:
+        """Take over a rectangle; return whether it is another one."""
+        changed = rect != self._rect
+        if changed:
+            self.prepareGeometryChange()
+            self._rect = rect
+        return changed
 
 
 class Crosshair(QObject):
@@ -206,8 +231,6 @@ class MovableLine(QObject):
     ----------
     position
         On the x axis; of a playhead its time, s.  None: there is no line.
-    moved
-        How often lines were moved.
     """
 
     #: The position to which the user drags it.
@@ -216,7 +239,6 @@ class MovableLine(QObject):
     def __init__(self, style: LineStyle, parent: QObject) -> None:
         super().__init__(parent)
         self.position: float | None = None
-        self.moved = 0
         self._style = style
         self._lines: list[UprightLine] = []
         # The line that is dragged, and its position before.
@@ -244,7 +266,6 @@ class MovableLine(QObject):
         if position == self.position:
             return
         seen, self.position = self.position is not None, position
-        self.moved += 1
         for line in self._lines:
             if position is not None:
                 line.setPos(QPointF(position, 0.0))
@@ -578,9 +599,7 @@ class Plot(Canvas):
     def __init__(self, parent: QtWidgets.QWidget | None = None, *, on_paper: bool = False) -> None:
         super().__init__(parent)
         self._on_paper = on_paper
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Expanding)
         self.setCursor(Qt.CursorShape.CrossCursor)
         self.scene().setMoveDistance(_DRAG_PX)
         self.curves: Curves | None = None
@@ -772,7 +791,8 @@ class Plot(Canvas):
         """Lay out rows and texts; return whether the number of rows has changed."""
         curves = self.curves
         if curves is None:
-            self.stack.place_message(QRectF(self.rect()))
+            room = QRectF(self.rect()).adjusted(2 * UNIT_PX, UNIT_PX, -2 * UNIT_PX, -UNIT_PX)
+            self.stack.message.setGeometry(room)
             return False
         count = row_count(len(curves.names), stacked=self.stacked)
         self.value_scale = ValueScale(

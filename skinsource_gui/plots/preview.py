@@ -20,8 +20,7 @@ from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
 from skinsource_gui.plots.ranges import CachedColumns, Range, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
-from skinsource_gui.qt.frames import CachedPicture
-from skinsource_gui.qt.layouts import named, show_tooltip
+from skinsource_gui.qt.layouts import Policy, named, show_tooltip
 from skinsource_gui.qt.theme import (
     UNIT_PX,
     current_theme,
@@ -43,9 +42,7 @@ class _Preview(QtWidgets.QWidget):
         super().__init__()
         named(self, name, title)
         self.setFont(tabular(self.font()))
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Expanding)
 
 
 class SpectrumPreview(_Preview):
@@ -148,10 +145,10 @@ def paint_samples(
     area: QRectF,
     style: ClipStyle,
     columns: CachedColumns,
-) -> bool:
-    """Paint samples, (n_times,), as a curve; return whether it shows the wave between them."""
+) -> None:
+    """Paint samples, (n_times,), as a curve; of few, the wave between them."""
     if not samples.size:
-        return False
+        return
     time_s = np.arange(samples.size) / style.sample_rate_hz
     first_s, end_s = (share * samples.size / style.sample_rate_hz for share in style.part)
     across = max(round(area.width() * style.ratio), 1)
@@ -176,7 +173,6 @@ def paint_samples(
     else:
         # A path, because Qt leaves gaps in a polyline of upright strokes.
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
-    return curve.wave
 
 
 class ClipPictures:
@@ -186,13 +182,9 @@ class ClipPictures:
     ----------
     columns
         Columns of the samples that were painted last.
-    painted, waves
-        How many pictures were painted, and how many of them show the wave between samples: an edit
-        that changes no clip paints none.
     """
 
     def __init__(self) -> None:
-        self.painted = self.waves = 0
         self.columns = CachedColumns()
         self.forget()
 
@@ -221,9 +213,8 @@ class ClipPictures:
         made.fill(Qt.GlobalColor.transparent)
         on_picture = QtGui.QPainter(made)
         room = QRectF(QPointF(), size)
-        self.waves += paint_samples(on_picture, samples, room, style, self.columns)
+        paint_samples(on_picture, samples, room, style, self.columns)
         on_picture.end()
-        self.painted += 1
         return samples, made
 
 
@@ -392,7 +383,7 @@ class ClipStrip(_Preview):
         #: What is shown, and the message in its place, or "".
         self.lanes: tuple[Lane, ...] = ()
         self.message = ""
-        self._picture, self._clips = CachedPicture(), ClipPictures()
+        self._columns = CachedColumns()
 
     def show_lanes(self, lanes: tuple[Lane, ...]) -> None:
         """Show these tracks."""
@@ -419,13 +410,8 @@ class ClipStrip(_Preview):
             painter.setPen(QtGui.QColor(current_theme().warning))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect(), flags, self.message)
-            return
-        if self.lanes:
-            shown = (current_theme(), self.lanes, self.font().toString())
-            area = QRectF(self.rect())
-            self._picture.paint(
-                painter, area, shown, self._paint_all, self.palette().window().color()
-            )
+        elif self.lanes:
+            self._paint_all(painter)
 
     def _paint_all(self, painter: QtGui.QPainter) -> None:
         start_s = min(clip.start_s for lane in self.lanes for clip in lane.clips)
@@ -490,7 +476,7 @@ class ClipStrip(_Preview):
         painter.drawRoundedRect(box, 3, 3)
         rate_hz = clip.samples.size / clip.duration_s
         style = ClipStyle(rate_hz, colour.rgba(), 1.0, ratio=dots_in_px(painter))
-        self._clips.paint(painter, clip.samples, box, style)
+        paint_samples(painter, clip.samples, box, style, self._columns)
 
 
 def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:

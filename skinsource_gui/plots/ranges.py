@@ -100,7 +100,7 @@ def zoomed(shown: Range, anchor: float, factor: float) -> Range:
     return (anchor - (anchor - low) / factor, anchor + (high - anchor) / factor)
 
 
-def within(wanted: Range, extent: Range, shortest: float) -> Range | None:
+def within(wanted: Range, extent: Range, shortest: float = 0.0) -> Range | None:
     """Return ``wanted`` moved and cut to lie in ``extent``; None where it covers all of that.
 
     The range has at least the length ``shortest``.
@@ -601,32 +601,21 @@ def columns_of(x: Floats, shown: Range, width_px: int) -> Columns:
 
 
 class CachedColumns:
-    """Caches the last columns: most edits do not change the axis.
-
-    Attributes
-    ----------
-    made
-        How often columns were computed.
-    """
+    """Caches the last columns: most edits do not change the axis."""
 
     def __init__(self) -> None:
-        self.made = 0
         self._axis: Floats = np.zeros(0)
         self._view: tuple[Range, int] | None = None
         self._columns: Columns | None = None
 
     def of(self, x: Floats, shown: Range, width_px: int) -> Columns:
         """Return `columns_of` these arguments."""
-        same = self._view == (shown, width_px) and self._is_axis(x)
-        if self._columns is None or not same:
+        # Comparing many samples takes longer than computing their columns.
+        is_axis = x is self._axis or (x.size <= _MOST_COMPARED and np.array_equal(x, self._axis))
+        if self._columns is None or self._view != (shown, width_px) or not is_axis:
             self._axis, self._view = x, (shown, width_px)
             self._columns = columns_of(x, shown, width_px)
-            self.made += 1
         return self._columns
-
-    def _is_axis(self, x: Floats) -> bool:
-        # Comparing many samples takes longer than computing their columns.
-        return x is self._axis or (x.size <= _MOST_COMPARED and np.array_equal(x, self._axis))
 
 
 def in_rows(y_px: Floats, ratio: float) -> Floats:

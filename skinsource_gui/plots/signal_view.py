@@ -44,6 +44,7 @@ from skinsource_gui.qt.buttons import passing_menu, tool_button
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.layouts import FlowLayout, in_column, named
 from skinsource_gui.qt.overlays import Staleness
+from skinsource_gui.qt.questions import ask_save
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_in, on_paper
 
 _LAYOUTS = (
@@ -328,13 +329,15 @@ class SignalExports(QObject):
 
     def save_picture(self) -> None:
         """Ask for a file, and write a picture of the usual size to it."""
-        path = self._ask("Save picture", f"{self._plot.objectName()}.png", _PICTURES)
+        start = self.folder / f"{self._plot.objectName()}.png"
+        path = ask_save(self._parent, "Save picture", start, _PICTURES)
         if path is not None:
             self._write(path, partial(save_drawing, path, *self._picture(), title=self._title))
 
     def save_data(self) -> None:
         """Ask for a file, and write the curves to it as a table."""
-        path = self._ask("Export data", f"{self._plot.objectName()}.csv", _TABLES)
+        start = self.folder / f"{self._plot.objectName()}.csv"
+        path = ask_save(self._parent, "Export data", start, _TABLES)
         if path is not None:
             lines = self.lines()
             self._write(path, partial(save_table, path, self._plot, self._title, lines))
@@ -345,18 +348,6 @@ class SignalExports(QObject):
         height = size.height() + caption_px(caption, size.width(), size.height())
         draw = with_caption(partial(draw_signals, plot=self._plot), caption)
         return draw, size.width(), height
-
-    def _ask(self, title: str, name: str, kinds: str) -> Path | None:
-        chosen, kind = QtWidgets.QFileDialog.getSaveFileName(
-            self._parent, title, str(self.folder / name), kinds
-        )
-        if not chosen:
-            return None
-        path = Path(chosen)
-        if path.suffix:
-            return path
-        endings = (end for end in (".svg", ".pdf") if end[1:] in kind)
-        return path.with_name(path.name + next(endings, Path(name).suffix))
 
     def _write(self, path: Path, write: Callable[[], None]) -> None:
         try:
@@ -441,12 +432,6 @@ class SignalView(QtWidgets.QWidget):
         else:
             button.setChecked(on)
 
-    def set_view(
-        self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False
-    ) -> None:
-        """Set the x axis, its visible part in SI (None: all), and rows; see `Plot.set_view`."""
-        self.plot.set_view(axis, zoom, stacked=stacked, fitted=fitted)
-
     def show_cursors(self, at: Range | None) -> None:
         """Put the two cursors somewhere, SI, or take them away."""
         if at != self.plot.cursors.at:
@@ -457,23 +442,15 @@ class SignalView(QtWidgets.QWidget):
     def show_curves(self, curves: Curves, *, synthetic: bool, notes: tuple[str, ...] = ()) -> None:
         """Draw ``curves``, and the longest of ``notes`` that fits.
 
-        The curves are up to date until `set_stale` says otherwise.
+        The curves are up to date until the staleness says otherwise.
         """
         self._staleness.set_stale(False)
         self.plot.set_texts(PlotTexts(synthetic=synthetic, notes=notes))
         self.plot.show_curves(curves)
 
-    def show_message(self, message: str) -> None:
-        """Remove the curves and show ``message`` in the middle."""
-        self.plot.show_message(message)
-
     def wait_for_curves(self) -> None:
         """Remove the curves until there are new ones; a message appears after a while."""
         self.plot.show_message(_COMPUTING if self._staleness.is_stale else "")
-
-    def set_stale(self, stale: bool) -> None:
-        """Say whether curves belong to an older design; this becomes visible after a while."""
-        self._staleness.set_stale(stale)
 
     def _mark_stale(self, stale: bool) -> None:
         if self.plot.curves is None and not self.plot.message:
@@ -655,4 +632,4 @@ class ResponseView(SignalView):
     def _show_view(self) -> None:
         self.toolbar.show_state(layout=self._layout, zoomed=self._zoom is not None)
         if self._axis is not None:
-            self.set_view(self._axis, self._zoom, stacked=self._layout == "stacked")
+            self.plot.set_view(self._axis, self._zoom, stacked=self._layout == "stacked")

@@ -25,7 +25,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.colour_maps import VIRIDIS, colour_indices, colour_table, level_colours
 from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.outputs import is_placed
-from skinsource_gui.qt.frames import Frame, fitted
+from skinsource_gui.qt.frames import Frame, closed_path, fitted
 from skinsource_gui.qt.layouts import show_tooltip
 from skinsource_gui.qt.resources import choice_of
 from skinsource_gui.qt.theme import Theme, is_on_paper, scaled, translucent
@@ -231,11 +231,9 @@ def small_map_of(results: Mapping[str, Any]) -> SmallMap:
 
 
 @lru_cache(maxsize=8)
-def _outline(limb_map: LimbMap) -> QtGui.QPainterPath:
-    path = QtGui.QPainterPath()
-    path.addPolygon(QtGui.QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
-    path.closeSubpath()
-    return path
+def outline_of(limb_map: LimbMap) -> QtGui.QPainterPath:
+    """Return the outline of a limb, in outline pixels."""
+    return closed_path(limb_map.outline)
 
 
 def paint_small_map(
@@ -263,7 +261,7 @@ def paint_small_map(
         Levels of the lowest and highest colour, and the colours; the usual ones unless given.
     """
     limb_map, frame = shown.limb_map, small_frame(shown, area)
-    outline = frame.transform().map(_outline(limb_map))
+    outline = frame.transform().map(outline_of(limb_map))
     painter.save()
     painter.setClipRect(area.adjusted(-2, -2, 2, 2), Qt.ClipOperation.IntersectClip)
     painter.setRenderHints(

@@ -126,17 +126,12 @@ class TimeScale:
 def zoomed(shown_s: Range, anchor_s: float, factor: float, whole_s: Range) -> Range | None:
     """Return the range ``factor`` times narrower around ``anchor_s``; None for the whole."""
     factor = min(factor, (shown_s[1] - shown_s[0]) / SHORTEST_S)
-    return within(ranges.zoomed(shown_s, anchor_s, factor), whole_s)
+    return ranges.within(ranges.zoomed(shown_s, anchor_s, factor), whole_s)
 
 
 def panned(shown_s: Range, by_s: float, whole_s: Range) -> Range | None:
     """Return the range ``by_s`` later, as far as possible; None where it is the whole."""
-    return within((shown_s[0] + by_s, shown_s[1] + by_s), whole_s)
-
-
-def within(wanted_s: Range, whole_s: Range) -> Range | None:
-    """Return a range of this length moved into the whole; None where it is the whole."""
-    return ranges.within(wanted_s, whole_s, 0.0)
+    return ranges.within((shown_s[0] + by_s, shown_s[1] + by_s), whole_s)
 
 
 def range_by_wheel(event: QtGui.QWheelEvent, scale: TimeScale, whole_s: Range) -> Range | None:

@@ -1,10 +1,13 @@
 """Buttons, labels and scroll areas of pages, buttons of panels, and the swatch of an input."""
 
+from collections.abc import Callable
+from functools import partial
+
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, QTimer
 
 from skinsource_gui.qt.keys import key_text
-from skinsource_gui.qt.layouts import named
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import current_theme, letter_scale, set_tone, tabular
 
 
@@ -86,9 +89,14 @@ def tool_button(
     return button
 
 
-def menu_of(button: QtWidgets.QToolButton) -> QtWidgets.QMenu:
-    """Return a new menu, which a button opens that the Tab key reaches."""
+def menu_of(
+    button: QtWidgets.QToolButton, fill: Callable[[QtWidgets.QMenu], object] | None = None
+) -> QtWidgets.QMenu:
+    """Return a new menu, which a button opens that the Tab key reaches; ``fill`` each time."""
     menu = QtWidgets.QMenu(button)
+    if fill is not None:
+        menu.aboutToShow.connect(menu.clear)
+        menu.aboutToShow.connect(partial(fill, menu))
     button.setMenu(menu)
     button.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -106,9 +114,7 @@ class Fold(QtWidgets.QToolButton):
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Fixed)
         self._content = content
         self.toggled.connect(self._follow)
         self._follow(False)
@@ -211,7 +217,7 @@ class Swatch(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("swatch")
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(Policy.Fixed, Policy.Fixed)
         self._number = 0
         self._colour_number = 0
         self._silent = False

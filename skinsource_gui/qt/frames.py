@@ -8,7 +8,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 
 from skinsource.base.conventions import Floats
-from skinsource_gui.qt.theme import Theme, is_on_paper
+from skinsource_gui.qt.theme import Theme, current_theme, is_on_paper
 
 # The nearest point of an outline is at most so far from the middle, in smaller sides of the room.
 _REACH = 0.2
@@ -69,8 +69,7 @@ class Frame:
             Area on the screen.
         """
         middle = QPointF(*self.to_drawing(room.center()))
-        polygon = QtGui.QPolygonF([QPointF(x, y) for x, y in outline])
-        if polygon.containsPoint(middle, Qt.FillRule.OddEvenFill):
+        if polygon(outline).containsPoint(middle, Qt.FillRule.OddEvenFill):
             return self
         offsets = self.to_screen(outline) - (room.center().x(), room.center().y())
         distances = np.hypot(*offsets.T)
@@ -97,6 +96,19 @@ def fitted(bounds: QRectF, room: QRectF, *, up: bool = False) -> Frame:
     )
 
 
+def polygon(points: Floats) -> QtGui.QPolygonF:
+    """Return points, (n, 2), as a polygon of Qt."""
+    return QtGui.QPolygonF([QPointF(x, y) for x, y in points])
+
+
+def closed_path(points: Floats) -> QtGui.QPainterPath:
+    """Return the outline through points, (n, 2)."""
+    path = QtGui.QPainterPath()
+    path.addPolygon(polygon(points))
+    path.closeSubpath()
+    return path
+
+
 def paint_focus_frame(painter: QtGui.QPainter, area: QRectF, theme: Theme) -> None:
     """Draw the focus frame just inside ``area``; on paper there is none."""
     if is_on_paper():
@@ -104,6 +116,13 @@ def paint_focus_frame(painter: QtGui.QPainter, area: QRectF, theme: Theme) -> No
     painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5))
+
+
+def paint_problem(painter: QtGui.QPainter, area: QRect) -> None:
+    """Frame a field whose text cannot be read."""
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+    painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
+    painter.drawRoundedRect(QRectF(area).adjusted(1, 1, -1, -1), 4, 4)
 
 
 def paint_card(painter: QtGui.QPainter, room: QRectF, text: str, theme: Theme) -> None:
@@ -140,24 +159,11 @@ class Same:
         return id(self._value)
 
 
-class UncachedPicture:
-    """Paints without a cache; for pages and files, where lines stay lines."""
-
-    def paint(
-        self,
-        painter: QtGui.QPainter,
-        room: QRectF,
-        depends_on: tuple[object, ...],
-        paint_anew: Callable[[QtGui.QPainter], None],
-    ) -> None:
-        """Call ``paint_anew``; arguments are those of `CachedPicture.paint`."""
-        painter.save()
-        paint_anew(painter)
-        painter.restore()
-
-
 class CachedPicture:
-    """Caches a picture of what is slow to paint, until it depends on something else."""
+    """Caches a picture of what is slow to paint, until it depends on something else.
+
+    On paper nothing is cached: lines stay lines.
+    """
 
     def __init__(self) -> None:
         self._key: tuple[object, ...] = ()
@@ -189,7 +195,9 @@ class CachedPicture:
         if is_on_paper():
             if ground is not None:
                 painter.fillRect(room, ground)
-            UncachedPicture().paint(painter, room, depends_on, paint_anew)
+            painter.save()
+            paint_anew(painter)
+            painter.restore()
             return
         ratio, font = painter.device().devicePixelRatioF(), painter.font()
         key = (*depends_on, room, ratio, font, ground)

@@ -6,6 +6,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QSize, Qt
 
 from skinsource_gui.qt.keys import shortcut_text
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import UNIT_PX, tabular
 
 #: Hints how to select an input, a clip, and outputs.
@@ -20,16 +21,12 @@ def how_to_add(what: str = "an input") -> str:
 
 
 class FittingLabel(QtWidgets.QLabel):
-    """Shows the first of several phrases that fits, or the last one with dots at its end."""
+    """Shows the first of several phrases that fits, or the last one with dots, in any width."""
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._phrases: tuple[str, ...] = ("",)
-        # A shorter phrase stays beside what is on its right.
-        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Preferred, QtWidgets.QSizePolicy.Policy.Preferred
-        )
+        self.setSizePolicy(Policy.Ignored, Policy.Fixed)
 
     def show_phrases(self, phrases: Sequence[str]) -> None:
         """Set the phrases, longest first."""
@@ -86,10 +83,11 @@ _LEAST_PX = 3 * UNIT_PX
 
 
 def set_table_look(table: QtWidgets.QTableView) -> None:
-    """Set the look of a table of numbers: dense rows, no grid."""
+    """Set the look of a table of numbers that are not edited: dense rows, no grid."""
     table.setFont(tabular(table.font()))
     table.setShowGrid(False)
     table.setTabKeyNavigation(False)
+    table.setEditTriggers(table.EditTrigger.NoEditTriggers)
     rows = table.verticalHeader()
     rows.hide()
     rows.setMinimumSectionSize(1)
@@ -99,6 +97,14 @@ def set_table_look(table: QtWidgets.QTableView) -> None:
     sections.setMinimumSectionSize(_LEAST_PX)
     sections.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
     sections.setHighlightSections(False)
+
+
+def table_cell(text: str, hint: str, *, right: bool) -> QtWidgets.QTableWidgetItem:
+    """Return a cell of a table, with its text at the left or the right."""
+    cell, sides = QtWidgets.QTableWidgetItem(text), Qt.AlignmentFlag
+    cell.setToolTip(hint)
+    cell.setTextAlignment((sides.AlignRight if right else sides.AlignLeft) | sides.AlignVCenter)
+    return cell
 
 
 class RowTable(QtWidgets.QTableWidget):
@@ -118,8 +124,7 @@ class RowTable(QtWidgets.QTableWidget):
         self, name: str, title: str, columns: Mapping[str, str], wide: Collection[int]
     ) -> None:
         super().__init__(0, len(columns))
-        self.setObjectName(name)
-        self.setAccessibleName(title)
+        named(self, name, title)
         set_table_look(self)
         header = self.horizontalHeader()
         for k, (heading, hint) in enumerate(columns.items()):
@@ -128,7 +133,6 @@ class RowTable(QtWidgets.QTableWidget):
             self.setHorizontalHeaderItem(k, item)
             mode = QtWidgets.QHeaderView.ResizeMode
             header.setSectionResizeMode(k, mode.Stretch if k in wide else mode.ResizeToContents)
-        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.SingleSelection)
         self.setWordWrap(False)
@@ -136,13 +140,8 @@ class RowTable(QtWidgets.QTableWidget):
     def fill(self, rows: Sequence[Sequence[tuple[str, str]]], chosen: int = 0) -> None:
         """Show rows of cells, each a text and its tooltip, and choose one of them."""
         self.setRowCount(len(rows))
-        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for line, cells in enumerate(rows):
             for column, (text, hint) in enumerate(cells):
-                item = QtWidgets.QTableWidgetItem(text)
-                item.setToolTip(hint)
-                if column > 1:
-                    item.setTextAlignment(right)
-                self.setItem(line, column, item)
+                self.setItem(line, column, table_cell(text, hint, right=column > 1))
         if rows:
             self.setCurrentCell(min(chosen, len(rows) - 1), 0)

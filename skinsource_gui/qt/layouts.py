@@ -7,6 +7,8 @@ from typing import TypeVar
 from PySide6 import QtWidgets
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
 
+#: How much of the room in a layout a widget takes.
+Policy = QtWidgets.QSizePolicy.Policy
 # Characters in a line: about as wide as a panel.
 _LINE = 64
 

@@ -109,7 +109,6 @@ class Cover(Overlay):
             font.setPixelSize(round(max(room_px / 8, least_px)))
             painter.setFont(font)
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, COVERED)
-        painter.end()
 
 
 #: Text on results of an older design.
@@ -143,4 +142,3 @@ class StaleOverlay(Overlay):
             painter.setBrush(ground)
             painter.drawRoundedRect(card, _RADIUS_PX, _RADIUS_PX)
             painter.drawText(card, Qt.AlignmentFlag.AlignCenter, UPDATING)
-        painter.end()

@@ -1,6 +1,7 @@
 """Questions before something is lost, and copying of tables."""
 
 import math
+import re
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
@@ -9,6 +10,8 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Qt, QTimer
 
 from skinsource.base.decibels import levels_for_tables
+from skinsource.base.files import path_exists
+from skinsource_gui.qt.layouts import named
 
 _Answer = QtWidgets.QMessageBox.StandardButton
 #: A question lists so many names of files.
@@ -78,6 +81,28 @@ def ask_name(parent: QtWidgets.QWidget, title: str, name: str, longest: int) -> 
     return None
 
 
+_ENDINGS = re.compile(r"\*([^\s)]+)")
+
+
+def ask_save(parent: QtWidgets.QWidget, title: str, start: Path, kinds: str) -> Path | None:
+    """Ask for a file to write; return None if the user cancels.
+
+    A name without the ending of any of the ``kinds``, as in ``"PNG (*.png);;SVG (*.svg)"``, gets
+    that of the chosen one, which may be longer than a suffix, as ``_stim.tsv.gz``.
+    """
+    name, kind = QtWidgets.QFileDialog.getSaveFileName(parent, title, str(start), kinds)
+    endings = _ENDINGS.findall(kind) + _ENDINGS.findall(kinds)
+    known = {Path(f"x{ending}").suffix for ending in endings}
+    if not name or not endings or Path(name).suffix.lower() in known:
+        return Path(name) if name else None
+    # The dialog asked about the name as it was typed.
+    for part in Path(f"x{endings[0]}").suffixes:
+        name = name.removesuffix(part)
+    path = Path(f"{name}{endings[0]}")
+    free = not path_exists(path) or ask_to_replace(parent, [path])
+    return path if free else None
+
+
 def ask_open(
     parent: QtWidgets.QWidget, title: str, kinds: str, start: Path | None = None
 ) -> Path | None:
@@ -129,10 +154,8 @@ class CopyButton(QtWidgets.QToolButton):
         self._table = table
         self.lines: Callable[[], Sequence[str]] = tuple
         self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
-        self.setObjectName(f"{panel}_copy")
-        self.setText("Copy")
-        self.setToolTip("Copy the numbers as a tab-separated table; # lines explain them")
-        self.setAccessibleName("Copy numbers")
+        hint = "Copy the numbers as a tab-separated table; # lines explain them"
+        named(self, f"{panel}_copy", "Copy numbers", hint).setText("Copy")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._exists, self._stale = True, False
         self.clicked.connect(self._copy)

@@ -1,10 +1,15 @@
 """Windows: one filter that tells all followers what happens, and their place on the screen."""
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, cast
 
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QMargins, QObject, QRect, QSize, Qt
+
+
+def application() -> QtWidgets.QApplication:
+    """Return the application, without which there are no widgets."""
+    return cast("QtWidgets.QApplication", QtWidgets.QApplication.instance())
 
 
 class WindowEvents(QObject):

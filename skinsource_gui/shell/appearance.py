@@ -10,7 +10,7 @@ from skinsource.design.comparing import stored_name
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource.studies import scenes
 from skinsource_gui.qt.theme import THEMES, apply_theme
-from skinsource_gui.qt.windows import fitted
+from skinsource_gui.qt.windows import application, fitted
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
@@ -60,9 +60,7 @@ class Appearance(QObject):
         dark = QtGui.QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
         system = THEMES["dark" if dark else "light"]
         theme = THEMES.get(self._preferences.theme_name, system)
-        application = QtWidgets.QApplication.instance()
-        if isinstance(application, QtWidgets.QApplication):
-            apply_theme(application, theme, self.text_scale)
+        apply_theme(application(), theme, self.text_scale)
         self.changed.emit()
 
     def _scale_text(self, scale: float) -> None:
@@ -98,9 +96,7 @@ class WindowsInSight(QObject):
         self._window = window
         self._timer = QTimer(self, interval=_DESKTOP_MS, singleShot=True)
         self._timer.timeout.connect(self.bring)
-        application = QtWidgets.QApplication.instance()
-        if isinstance(application, QtGui.QGuiApplication):
-            application.screenRemoved.connect(self._follow)
+        application().screenRemoved.connect(self._follow)
 
     def bring(self) -> None:
         """Move what is out of sight onto the screen that is nearest."""

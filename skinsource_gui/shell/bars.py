@@ -17,7 +17,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.qt.buttons import menu_of
-from skinsource_gui.qt.layouts import in_row, named, show_tooltip, tooltip
+from skinsource_gui.qt.layouts import Policy, in_row, named, show_tooltip, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, icon_of
 from skinsource_gui.shell.menus import MISSING
 from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
@@ -50,9 +50,7 @@ class SetupBar(QtWidgets.QWidget):
         self._limb = named(LimbField(_spec(label, sentence, options)), "limb")
         self._limb.setMinimumContentsLength(_LETTERS)
         self._limb.setMinimumWidth(_LEAST_PX)
-        self._limb.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        self._limb.setSizePolicy(Policy.Maximum, Policy.Fixed)
         _explain(self._limb, options)
         in_row(self._limb, of=self, margins=0)
         self._limb.edited.connect(partial(self._choose, edits.change_limb))
@@ -278,9 +276,7 @@ class HeadLine(QtWidgets.QWidget):
         for more in menus.findChildren(QtWidgets.QToolButton):
             more.setIcon(QtGui.QIcon())
             more.setText("»")
-        menus.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Minimum
-        )
+        menus.setSizePolicy(Policy.Maximum, Policy.Minimum)
         self._icons = {
             actions["undo"]: "undo",
             actions["redo"]: "redo",

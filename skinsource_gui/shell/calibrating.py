@@ -26,7 +26,7 @@ from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui import pages
 from skinsource_gui.panels.calibration.steps import FOCUS, SWEEPS, CalibrationState
-from skinsource_gui.qt.questions import ask_open, ask_to_save
+from skinsource_gui.qt.questions import ask_open, ask_save, ask_to_save
 from skinsource_gui.qt.resources import read_text
 from skinsource_gui.state.job_runner import JobProgress
 from skinsource_gui.state.panel import Panel
@@ -44,10 +44,6 @@ _PANEL = "calibration"
 WAVEFORM, LEVEL = Tone(frequency_hz=100.0, duration_s=0.2), 0.3
 _FILES = "Partial limbs (*.h5);;All files (*)"
 _STOPPED = "Stopped. Nothing new was stored."
-
-
-def _opened(path: Path, progress: Progress, stop: Stop) -> "PartialLimb":
-    return people.open_partial(path)
 
 
 def _focus_of(
@@ -69,8 +65,8 @@ class Calibrating(QObject):
         What the window has.
     player
         Ends before anything else is played; knows rig and device.
-    arrange, ask_where
-        Shows the workspace of the panel; asks for a file to write.
+    arrange
+        Shows the workspace of the panel.
 
     Attributes
     ----------
@@ -87,12 +83,11 @@ class Calibrating(QObject):
         services: Services,
         player: Player,
         arrange: Callable[[], None],
-        ask_where: Callable[[str, Path, str], Path | None],
     ) -> None:
         super().__init__(services.window)
         self._window, self._document = services.window, services.document
         self._runner, self._preferences = services.runner, services.preferences
-        self._player, self._arrange, self._ask_where = player, arrange, ask_where
+        self._player, self._arrange = player, arrange
         self._panel: CalibrationPanel | None = None
         # A `Station`, once something is measured; only that of a stand-in person can be moved.
         self._station: Any = None
@@ -312,8 +307,8 @@ class Calibrating(QObject):
         path = ask_open(self._window, "Open a measured person", _FILES, self._preferences.folder)
         if path is not None:
             self._preferences.folder = path.parent
-            work = partial(_opened, path)
-            self._run("Opening a measured person", work, partial(self._take_opened, path))
+            take = partial(self._take_opened, path)
+            self._run("Opening a measured person", lambda **_: people.open_partial(path), take)
 
     def _take_opened(self, path: Path, opened: "PartialLimb") -> None:
         self._unsaved = False
@@ -335,7 +330,7 @@ class Calibrating(QObject):
     def _save(self) -> bool:
         """Ask for a file and write the partial limb; return whether that was done."""
         start = self._preferences.folder / f"{self._file_name}.h5"
-        path = self._ask_where("Save the partial limb", start, _FILES)
+        path = ask_save(self._window, "Save the partial limb", start, _FILES)
         if path is not None:
             people.save_partial(path, self._found.partial)
             self._preferences.folder, self._unsaved = path.parent, False

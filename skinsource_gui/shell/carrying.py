@@ -28,8 +28,10 @@ from skinsource_gui.plots.pictures import (
     with_caption,
 )
 from skinsource_gui.plots.signal_view import SignalExports
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, Theme, apply_theme, current_theme
+from skinsource_gui.qt.windows import application
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.docks import Dock, PanelInUse
 from skinsource_gui.state.comparison import Judging
@@ -320,16 +322,12 @@ class PanelPictures:
     @contextmanager
     def _in_colours(self, theme: Theme) -> Iterator[None]:
         """Put the studio in other colours for a while; nothing of that is painted on the screen."""
-        application, before = QtWidgets.QApplication.instance(), current_theme()
-        if theme == before or not isinstance(application, QtWidgets.QApplication):
-            yield
-            return
-        text_scale = self._appearance.text_scale
-        apply_theme(application, theme, text_scale)
+        before, text_scale = current_theme(), self._appearance.text_scale
+        apply_theme(application(), theme, text_scale)
         try:
             yield
         finally:
-            apply_theme(application, before, text_scale)
+            apply_theme(application(), before, text_scale)
 
 
 def _draw_titled(painter: QtGui.QPainter, panel: Panel, area: QRect, theme: Theme) -> None:
@@ -372,8 +370,7 @@ def _shown_off_screen(dock: Dock, width: int, height: int) -> Iterator[Callable[
     stage = QtWidgets.QWidget()
     stage.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
     stage.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
-    column = QtWidgets.QVBoxLayout(stage)
-    column.setContentsMargins(0, 0, 0, 0)
+    column = in_column(of=stage, margins=0)
     with dock.lent() as panel:
         column.addWidget(panel)
         panel.show()

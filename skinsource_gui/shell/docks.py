@@ -16,7 +16,7 @@ from shiboken6 import isValid
 
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.windows import WindowEvents
+from skinsource_gui.qt.windows import WindowEvents, application
 from skinsource_gui.shell.focus import focus_into, tab_stops
 from skinsource_gui.state.panel import Panel, PanelRegistry
 
@@ -340,9 +340,7 @@ class PanelInUse(QObject):
         tabs.used.connect(self._use)
         for dock in docks.values():
             dock.sight_changed.connect(partial(self._watch_window_of, dock))
-        application = QtWidgets.QApplication.instance()
-        if isinstance(application, QtWidgets.QApplication):
-            application.focusChanged.connect(self._follow_keyboard)
+        application().focusChanged.connect(self._follow_keyboard)
 
     @property
     def panel(self) -> Panel:

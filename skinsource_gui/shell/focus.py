@@ -15,6 +15,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt
 
 from skinsource_gui.qt.wheel import scroll_to
+from skinsource_gui.qt.windows import application
 
 
 def tab_stops(
@@ -142,14 +143,11 @@ class KeyboardFilter(QObject):
 
     def follow(self, on: bool) -> None:
         """Begin or end to filter."""
-        application = QtWidgets.QApplication.instance()
-        if not isinstance(application, QtWidgets.QApplication):
-            return
         if on:
-            application.focusChanged.connect(self._note_focus)
+            application().focusChanged.connect(self._note_focus)
             self._note_focus(None, QtWidgets.QApplication.focusWidget())
         else:
-            application.focusChanged.disconnect(self._note_focus)
+            application().focusChanged.disconnect(self._note_focus)
             self.watch(None)
 
     def wanted(self, focused: QtWidgets.QWidget | None) -> QtWidgets.QWidget | None:

@@ -12,12 +12,12 @@ from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import MOST_BYTES, crashed_logs, note_offered
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import path_text, read_bytes, write_bytes
-from skinsource.design.recovery import Found, UnsavedWork
+from skinsource.design.recovery import Found, UnsavedWork, discard
 from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.layouts import in_column, named
-from skinsource_gui.qt.questions import ask_yes
+from skinsource_gui.qt.questions import ask_save, ask_yes
 from skinsource_gui.shell.notices import Choice, Notice, Reports
 from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.conductor import Conductor
@@ -218,12 +218,12 @@ class AutosaveAndRecovery(QObject):
         """Discard the work if the user agrees; else a notice offers it again."""
         question = f"The copy of {left.name} from {left.clock()} is deleted for good. Discard it?"
         if ask_yes(self._window, "Discard unsaved work?", question):
-            self.recovery.discard(left)
+            discard(left)
         elif notice is not None:
             self.offer(notice)
 
     def _save_log(self, log: Path) -> None:
-        path = self._files.ask_where("Save the log", Path.home() / log.name, _LOGS)
+        path = ask_save(self._window, "Save the log", Path.home() / log.name, _LOGS)
         if path is None:
             return
         try:

@@ -21,7 +21,7 @@ from skinsource_gui.qt.buttons import page_button, page_label, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.windows import WindowEvents
+from skinsource_gui.qt.windows import WindowEvents, application
 from skinsource_gui.shell.status import Accuracy, StatusLine
 from skinsource_gui.state.conductor import UNPLAYABLE
 from skinsource_gui.state.document import Document
@@ -143,14 +143,13 @@ class Notice(QObject):
 
     def _let_pass(self, after_ms: int | None) -> None:
         """Hide it after a while, or at a click; None: let it stay."""
-        application = QtWidgets.QApplication.instance()
         # A filter on all events of the studio is installed for some seconds only.
-        if application is not None and self._watches:
-            application.removeEventFilter(self)
+        if self._watches:
+            application().removeEventFilter(self)
         self._passing.stop()
         self._watches = after_ms is not None
-        if application is not None and after_ms is not None:
-            application.installEventFilter(self)
+        if after_ms is not None:
+            application().installEventFilter(self)
             self._passing.start(after_ms)
 
     def _offer(self, choices: Sequence[Choice]) -> None:

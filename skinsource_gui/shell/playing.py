@@ -19,7 +19,7 @@ from skinsource_gui import pages
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.actions import MatchingActions
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.layouts import in_row, named, tooltip
+from skinsource_gui.qt.layouts import Policy, in_row, named, tooltip
 from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.theme import icon_of, set_tone
 from skinsource_gui.shell.focus import KeyboardFilter
@@ -157,7 +157,7 @@ class Transport(QtWidgets.QWidget):
         self.repeat = self._button("repeat_button", "repeat", *_REPEAT)
         self.repeat.setCheckable(True)
         in_row(self.play, self.repeat, of=self, margins=0, gap_px=0)
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(Policy.Fixed, Policy.Fixed)
         self._show_icons()
 
     def show_played(self, played: Played) -> None:

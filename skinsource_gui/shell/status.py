@@ -27,7 +27,7 @@ from skinsource_gui.panels.skin.settings import (
 )
 from skinsource_gui.qt.buttons import menu_of, page_button, progress_bar
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import in_row, named
+from skinsource_gui.qt.layouts import Policy, in_row, named
 from skinsource_gui.qt.overlays import Overlay, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.qt.windows import WindowEvents
@@ -203,7 +203,7 @@ class StatusLine(FittingLabel):
     def __init__(self, window: QtWidgets.QMainWindow) -> None:
         super().__init__(window)
         named(self, "status_line", "State of the results")
-        self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self.setSizePolicy(Policy.Preferred, Policy.Fixed)
         self.setContentsMargins(UNIT_PX, 0, 0, 0)
         self.setFont(tabular(self.font()))
         set_tone(self, "dim")
@@ -360,7 +360,7 @@ class JobBar(QtWidgets.QWidget):
         self._cancel.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._cancel.clicked.connect(lambda: runner.cancel())
         # It does not grow where the status bar has room to spare.
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(Policy.Fixed, Policy.Fixed)
         parts = self._name, self._bar, self._percent, self._cancel
         in_row(*parts, of=self, margins=(UNIT_PX, 0, 0, 0), gap_px=UNIT_PX)
         self._shown: object = None

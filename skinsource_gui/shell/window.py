@@ -310,10 +310,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.levelling = Levelling(self.document, self.runner, self)
         self.aiming = Aiming(services, self.workspaces.bring)
         self.calibrating = Calibrating(
-            services,
-            self.playback.player,
-            partial(self.workspaces.choose, LAB),
-            self.files.ask_where,
+            services, self.playback.player, partial(self.workspaces.choose, LAB)
         )
         self.presenter = Presenter(
             services, self.files, self.workspaces, lambda: self.actions_by_name

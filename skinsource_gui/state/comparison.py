@@ -189,7 +189,7 @@ class Comparison(QObject):
         order = sorted(snapshots, key=lambda each: each.number or math.inf)
         return [
             _Side(
-                Slot(f"snapshot {each.number}"),
+                f"snapshot {each.number}",
                 Compared(snapshot=each, problem=too_large(each.design.limb)),
                 view,
             )
@@ -199,13 +199,13 @@ class Comparison(QObject):
     def _of_matching(self) -> list[_Side]:
         """Return all snapshots, with levels that do not depend on how long they are silent."""
         return [
-            replace(side, slot=Slot(f"match {side.slot}"), view=replace(side.view, span="loudest"))
+            replace(side, slot=f"match {side.slot}", view=replace(side.view, span="loudest"))
             for side in self._of_snapshots()
         ]
 
     def _on_limb(self, limb: Beside) -> _Side:
         """Return the design on a limb, as loud as it is shown in the window."""
-        document, slot = self._document, Slot(f"limb {limb}")
+        document, slot = self._document, f"limb {limb}"
         design = document.design
         asked = on_limb(design, document.view, limb)
         if isinstance(asked, str):
@@ -368,7 +368,7 @@ def _shown_text(number: int, document: Document) -> str:
 
 
 _WANTED = frozenset({"limb_data", "validity"})
-_OTHERS = Slot("judged beside")
+_OTHERS = "judged beside"
 
 
 class Judging:

@@ -92,9 +92,12 @@ class Document(QObject):
 
     def __init__(self, design: Design, view: View | None = None, parent: QObject | None = None):
         super().__init__(parent)
-        self._design = self._saved = design
-        self._view = _existing(view or NEW_VIEW, design)
-        self._path: Path | None = None
+        #: The present design and view.
+        self.design = self._saved = design
+        self.view = _existing(view or NEW_VIEW, design)
+        #: The file it was opened from or saved to, and whether another studio has locked that.
+        self.path: Path | None = None
+        self.read_only = False
         #: The file that the history begins with; None: it began with a new design.
         self.opened: Path | None = None
         #: Whether the history begins with recovered work.
@@ -103,8 +106,8 @@ class Document(QObject):
         self.scene = ""
         #: The file whose recovered work is open, until it is saved; else None.
         self.recovered_from: Path | None = None
-        self._saved_view = self._view
-        self._was_modified = self._lost = self._read_only = self._jumping = False
+        self._saved_view = self.view
+        self._was_modified = self._lost = self._jumping = False
         self._as_stored = False
         # Whether the design was edited since it was saved, and the edit not undone.
         self._edited = False
@@ -113,24 +116,14 @@ class Document(QObject):
         self.undo_stack.cleanChanged.connect(self._emit_title)
 
     @property
-    def design(self) -> Design:
-        """The present design."""
-        return self._design
-
-    @property
-    def view(self) -> View:
-        """The present view."""
-        return self._view
-
-    @property
     def shown_view(self) -> View:
         """The view that panels show; inside `as_stored` without matched levels."""
-        return replace(self._view, levels_matched=False) if self._as_stored else self._view
+        return replace(self.view, levels_matched=False) if self._as_stored else self.view
 
     @contextmanager
     def as_stored(self) -> Iterator[None]:
         """Have panels show snapshots as loud as they were stored; playback does not change."""
-        if self._as_stored or not self._view.levels_matched:
+        if self._as_stored or not self.view.levels_matched:
             yield
             return
         self._as_stored = True
@@ -142,24 +135,14 @@ class Document(QObject):
             self.changed.emit()
 
     @property
-    def path(self) -> Path | None:
-        """The file it was opened from or saved to."""
-        return self._path
-
-    @property
-    def read_only(self) -> bool:
-        """Whether another studio has locked that file."""
-        return self._read_only
-
-    @property
     def modified(self) -> bool:
         """Whether there are edits or snapshots that no file holds; selections do not count."""
-        if self._lost or not _has_saved_snapshots(self._saved, self._saved_view, self._view):
+        if self._lost or not _has_saved_snapshots(self._saved, self._saved_view, self.view):
             return True
         if self.undo_stack.isClean():
             return False
         # A new design that was edited and is as at first counts as modified: no file holds it.
-        return (self._edited and self._path is None) or not self.holds(self._design)
+        return (self._edited and self.path is None) or not self.holds(self.design)
 
     def holds(self, design: Design) -> bool:
         """Return whether a design is the saved one, or one of the saved snapshots."""
@@ -172,18 +155,18 @@ class Document(QObject):
         ends the gesture.
         """
         if isinstance(outcome, Edit):
-            outcome = with_whole_motions(self._design, outcome)
-            outcome = with_working_kept(self._design, self._view, outcome)
+            outcome = with_whole_motions(self.design, outcome)
+            outcome = with_working_kept(self.design, self.view, outcome)
         if isinstance(outcome, Refusal):
             self.refused.emit(outcome.sentence)
             return
-        if outcome.design != self._design and _same_limb(outcome.design, self._design):
-            missing = missing_limb(self._design.limb, self._design.limb_digest)
+        if outcome.design != self.design and _same_limb(outcome.design, self.design):
+            missing = missing_limb(self.design.limb, self.design.limb_digest)
             if missing:
                 self.refused.emit(f"This design is read-only. {missing}")
                 return
-        view = kept_selection(outcome.view, self._design, outcome.design)
-        before, after = HistoryState(self._design, self._view), HistoryState(outcome.design, view)
+        view = kept_selection(outcome.view, self.design, outcome.design)
+        before, after = HistoryState(self.design, self.view), HistoryState(outcome.design, view)
         if before.is_same(after):
             self.look(view)
         else:
@@ -199,11 +182,11 @@ class Document(QObject):
 
     def edit(self, label: str, design: Design, gesture: int | None = None) -> None:
         """Replace the design, as `apply` does."""
-        self.apply(Edit(label=label, design=design, view=self._view), gesture)
+        self.apply(Edit(label=label, design=design, view=self.view), gesture)
 
     def amend(self, outcome: Edit) -> None:
         """Replace the present design, also in the history: it is no step of its own."""
-        if outcome.design == self._design:
+        if outcome.design == self.design:
             return
         step, state = self.undo_stack.index(), HistoryState(outcome.design, outcome.view)
         for at, end in ((step - 1, "after"), (step, "before")):
@@ -216,9 +199,9 @@ class Document(QObject):
 
     def look(self, view: View) -> None:
         """Replace the view."""
-        snapshots = self._view.snapshots
-        self._show(self._design, view)
-        if self._view.snapshots is not snapshots:
+        snapshots = self.view.snapshots
+        self._show(self.design, view)
+        if self.view.snapshots is not snapshots:
             self._emit_title()
         self.settled.emit()
 
@@ -237,11 +220,11 @@ class Document(QObject):
         what the design is called among the scenes it was opened from.
         """
         self.undo_stack.clear()
-        self._read_only = read_only
-        self._saved, self._path, self.opened, self.scene = design, path, path, scene
+        self.read_only = read_only
+        self._saved, self.path, self.opened, self.scene = design, path, path, scene
         self.recovered_from = None
-        self._design, self._view = design, _existing(view, design)
-        self._saved_view = self._view
+        self.design, self.view = design, _existing(view, design)
+        self._saved_view = self.view
         self.recovered = self._edited = self._lost = False
         self.jumped.emit()
         self.changed.emit()
@@ -256,9 +239,9 @@ class Document(QObject):
 
     def mark_saved(self, path: Path | None) -> None:
         """Note that ``path`` holds the present design; None: no file is needed."""
-        self._path, self._saved, self._read_only = path, self._design, False
+        self.path, self._saved, self.read_only = path, self.design, False
         self.recovered_from = None
-        self._saved_view = self._view
+        self._saved_view = self.view
         self.undo_stack.setClean()
         self._was_modified = self._lost = self._edited = False
         self.title_changed.emit()
@@ -270,13 +253,13 @@ class Document(QObject):
 
     def go_to(self, count: int) -> None:
         """Undo or redo until ``count`` steps are done; `changed` is emitted once."""
-        before = self._design, self._view
+        before = self.design, self.view
         self._jumping = True
         try:
             self.undo_stack.setIndex(min(max(count, 0), self.undo_stack.count()))
         finally:
             self._jumping = False
-        if before != (self._design, self._view):
+        if before != (self.design, self.view):
             self.changed.emit()
         self._emit_title()
 
@@ -288,9 +271,10 @@ class Document(QObject):
 
     def _show(self, design: Design, view: View) -> None:
         view = _existing(view, design)
-        if (design, view) != (self._design, self._view):
-            alone = design is self._design and _same_but_for_playhead(view, self._view)
-            self._design, self._view = design, view
+        if (design, view) != (self.design, self.view):
+            looked = replace(self.view, playhead_s=view.playhead_s)
+            alone = design is self.design and view == looked
+            self.design, self.view = design, view
             if not self._jumping:
                 (self.playhead_moved if alone else self.changed).emit()
 
@@ -348,10 +332,6 @@ class ReplaceDesign(QtGui.QUndoCommand):
         self.setText(newer.text())
         self.setObsolete(self.before.is_same(self.after))
         return True
-
-
-def _same_but_for_playhead(view: View, other: View) -> bool:
-    return replace(view, playhead_s=other.playhead_s) == other
 
 
 def _has_saved_snapshots(saved: Design, saved_view: View, view: View) -> bool:

@@ -49,15 +49,10 @@ class Purpose(IntEnum):
 _ABOUT_WHAT_IS_SHOWN = (Purpose.CHECK, Purpose.JUDGE)
 
 
-@dataclass(frozen=True, slots=True)
-class Slot:
-    """One of the designs that are predicted side by side; each has a graph of its own."""
-
-    name: str
-
-
+#: Names one of the designs that are predicted side by side; each has a graph of its own.
+Slot = str
 #: The design in the window.
-FIRST_SLOT = Slot("A")
+FIRST_SLOT = "A"
 
 
 @dataclass(frozen=True, slots=True)

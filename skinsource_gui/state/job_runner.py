@@ -287,7 +287,7 @@ class PageJobs(QObject):
         return True
 
 
-_CHANGED = "The prediction has changed meanwhile; try again."
+_CHANGED = "The design has changed meanwhile; try again."
 
 
 class Levelling(QObject):
@@ -323,36 +323,22 @@ class Levelling(QObject):
             said = f"Balanced {len(ids)} clips by the {MEASURE}, on {of.limb}"
             return replace(done, label=f"Balance wavelets of {len(ids)} clips", said=said)
 
-        self._run(
-            Job("Balancing wavelets", predict, quick=True),
-            sources=lambda of: [_level_sources(of, id) for id in ids],
-            edit=edit,
-        )
+        self._run(Job("Balancing wavelets", predict, quick=True), edit)
 
     def match_tracks(self) -> None:
         """Predict each selected track alone, then edit their amplitudes."""
         design = self._document.design
         ids = tuple(id for id in self._document.view.selected_inputs if id in design.ids)
-
-        def sources(of: Design) -> object:
-            setup = of.limb, of.limb_digest, of.scaling, of.actuated
-            return setup, [track for track in of.inputs if track.id in ids]
-
         job = Job("Matching inputs", partial(track_levels_db, design, ids), quick=True)
-        self._run(job, sources=sources, edit=edits.match_tracks)
+        self._run(job, edits.match_tracks)
 
-    def _run(
-        self,
-        job: Job[Any],
-        sources: Callable[[Design], object],
-        edit: Callable[[Design, View, Any], Edit | Refusal],
-    ) -> None:
-        """Edit the design by the levels if it still has the ``sources`` on which they depend."""
+    def _run(self, job: Job[Any], edit: Callable[[Design, View, Any], Edit | Refusal]) -> None:
+        """Edit the design by the levels that are predicted, unless it has changed meanwhile."""
         predicted, document = self._document.design, self._document
 
         def apply(levels: object) -> None:
-            if sources(predicted) == sources(document.design):
-                document.apply(edit(document.design, document.view, levels))
+            if document.design is predicted:
+                document.apply(edit(predicted, document.view, levels))
             else:
                 self.failed.emit(_CHANGED)
 
@@ -363,15 +349,3 @@ def selected_trains(design: Design, view: View) -> list[Clip]:
     """Return the selected clips that play a wavelet train."""
     chosen = [clip for clip in design.clips if clip.id in view.selected_clips]
     return [clip for clip in chosen if isinstance(clip.waveform, WaveletTrain)]
-
-
-def _level_sources(design: Design, clip_id: int) -> object:
-    """Return all of a design that the level of a wavelet on the skin depends on."""
-    if clip_id not in {clip.id for clip in design.clips}:
-        return None
-    clip, track = design.clip(clip_id), design.track_of(clip_id)
-    train = clip.waveform
-    if isinstance(train, WaveletTrain):
-        train = replace(train, gains_db=())
-    curve = track.gain_curve and (track.gain_curve, clip.onset_s)
-    return design.limb, track.location, curve, train, clip.effects

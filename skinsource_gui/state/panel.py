@@ -121,7 +121,7 @@ class Panel(ShowsStaleness):
         self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
         #: Returns where another panel would put what is dragged from here to a point of the
         #: screen; called with None at the end.  Set by the window.
-        self.held_over: Callable[[QPoint | None], DropPlace | None] = _nowhere
+        self.held_over: Callable[[QPoint | None], DropPlace | None] = lambda _: None
 
     def show_pointed_place(self, at: tuple[float, float] | None) -> None:
         """Mark the place that is under the pointer in another panel; None: there is none."""
@@ -294,10 +294,6 @@ class OutputsPanel(Panel):
 
     def show_problem(self, reason: str) -> None:
         self.say_instead(reason)
-
-
-def _nowhere(at: QPoint | None) -> None:
-    """Return None: without a window there is no other panel."""
 
 
 @dataclass(frozen=True, slots=True)

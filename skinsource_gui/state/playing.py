@@ -562,11 +562,6 @@ class Player(QObject):
         self._begin(animate, partial(self._run, design, None))
 
     @property
-    def armed(self) -> bool:
-        """Whether actuators may be played on."""
-        return self.peak is not None
-
-    @property
     def _repeats(self) -> bool:
         # An animation always: one pass is too short to see anything.
         return self.loops or not self.on_actuators
@@ -614,9 +609,9 @@ class Player(QObject):
             self._begin(partial(self._session().tone, number, output, gain_db, rig))
 
     def _may_play(self) -> bool:
-        if not self.armed:
+        if self.peak is None:
             self.failed.emit("Nothing is sent to the actuators. Arm them under Output first.")
-        return self.armed and self.settings.rig_is_read(self._document.design)
+        return self.peak is not None and self.settings.rig_is_read(self._document.design)
 
     def _run(self, design: Design, rig: "Rig | None") -> None:
         """Have playhead and edits follow what began."""

@@ -121,7 +121,7 @@ class Worker(QObject):
         if self._pool is None:
             return
         if finish:
-            ended = wait([self._pool.submit(last or _do_nothing)], longest_s).done
+            ended = wait([self._pool.submit(last or (lambda: None))], longest_s).done
             self._pool.shutdown(wait=bool(ended))
         else:
             self._pool.shutdown(wait=True, cancel_futures=True)
@@ -187,7 +187,3 @@ def fault_text(error: Exception | None) -> str:
     if isinstance(error, SkinSourceError):
         return str(error)
     return f"The studio made a mistake: {type(error).__name__}: {error}. Please report this."
-
-
-def _do_nothing() -> None:
-    """Return: what was given before is done."""

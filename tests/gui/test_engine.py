@@ -96,7 +96,7 @@ def test_a_long_evaluation_is_abandoned_for_a_newer_request(qtbot, slow, slow_en
     assert not slow.asked[0]
 
 
-SECOND_SLOT, THIRD_SLOT = Slot("B"), Slot("C")
+SECOND_SLOT, THIRD_SLOT = "B", "C"
 
 
 def test_each_slot_and_purpose_has_a_place_to_wait_and_showing_goes_first(

@@ -223,7 +223,7 @@ def test_the_hand_shows_that_it_has_the_keyboard_before_a_key_is_used_there(wind
         diagram, Qt.MouseButton.LeftButton, pos=diagram.rect().center() + QPoint(0, 120)
     )
     assert QApplication.focusWidget() is diagram
-    assert diagram.state.cursor is None
+    assert diagram.stage.state.cursor is None
     assert corner(window) == current_theme().accent
     window.panel("timeline").setFocus()
     assert corner(window) != current_theme().accent

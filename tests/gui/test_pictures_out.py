@@ -220,7 +220,7 @@ def test_what_nobody_looked_at_is_drawn_whole_and_stays_where_it_was(make_window
     assert window.focusWidget() is focused
     # Nothing is predicted for them any more.
     slots = window.engine._graphs
-    qtbot.waitUntil(lambda: not any("limb" in slot.name for slot in slots), timeout=10_000)
+    qtbot.waitUntil(lambda: not any("limb" in slot for slot in slots), timeout=10_000)
     # They come into the window as ever.
     dock = window.docks["analysis"]
     dock.bring_forward()

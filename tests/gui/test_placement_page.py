@@ -76,7 +76,7 @@ def test_the_chosen_layout_is_on_the_hand_and_compared_with_the_best_of_each_lim
     ranked = page.answer.placement.ranked
     for row, each in ((0, ranked[0]), (len(ranked) - 1, ranked[-1])):
         page.table.selectRow(row)
-        assert tuple(mark.site for mark in page.hand.state.marks) == each.inputs
+        assert tuple(mark.site for mark in page.hand.stage.state.marks) == each.inputs
         there = [inverse.layout(name, [30], each.inputs).score_db for name in PEOPLE]
         behind_db = max(np.subtract(best_db, there))
         assert f"at most {behind_db:.1f} dB below the best" in page.message.text()

@@ -272,10 +272,6 @@ class Recovery(QObject):
             return
         self.failed.emit(" ".join(bad))
 
-    def discard(self, left: UnsavedWork) -> None:
-        """Delete the work; where that is not possible, it is offered again."""
-        recovery.discard(left)
-
     def end(self) -> None:
         """Remove the mark of the opened copy when the studio ends without a crash."""
         if self._opening is not None:

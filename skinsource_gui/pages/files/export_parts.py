@@ -88,8 +88,8 @@ class ExportPart(QtWidgets.QWidget):
         """The entry of the table of exports that is shown."""
         raise NotImplementedError
 
-    def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
-        """Return a name, the kinds for the dialog that asks, all endings, and the usual one."""
+    def suggestion(self) -> tuple[str, str]:
+        """Return a name, and the kinds for the dialog that asks, the usual one first."""
         raise NotImplementedError
 
     def files(self, path: Path) -> Iterable[tuple[Path, ...]]:
@@ -192,7 +192,7 @@ class FilePart(ExportPart):
         self.text.setVisible(not drawn)
         self._show_preview()
 
-    def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
+    def suggestion(self) -> tuple[str, str]:
         spec, name = self._spec, self._spec.file_name
         kinds: Sequence[tuple[str, str]] = KINDS
         if spec.name == WIRING:
@@ -211,7 +211,7 @@ class FilePart(ExportPart):
         ending = Path(name).suffix
         ordered = sorted(kinds, key=lambda kind: kind[1] != ending)
         text = ";;".join(f"{title} (*{suffix})" for title, suffix in ordered)
-        return name, text, tuple(suffix for _, suffix in kinds), ""
+        return name, text
 
     def writer(self, path: Path) -> Callable[..., Any]:
         if self.draws and self._picture is not None and self.form is not None:

@@ -37,7 +37,7 @@ from skinsource_gui.pages.files.maps_film import export_maps_film
 from skinsource_gui.panels.skin.film import export_animation
 from skinsource_gui.plots.pictures import Picture
 from skinsource_gui.qt.buttons import show_or_hide
-from skinsource_gui.qt.questions import ask_to_replace, ask_yes
+from skinsource_gui.qt.questions import ask_save, ask_to_replace, ask_yes
 from skinsource_gui.qt.resources import read_text
 from skinsource_gui.state.services import Services
 from skinsource_gui.state.worker import fault_text
@@ -200,12 +200,12 @@ class ExportActions(QObject):
     def _ask_and_write(self) -> None:
         """Ask for a file, and write what the dialog shows; it stays open, and says how it went."""
         page = self.page
-        name, kinds, endings, ending = page.part.suggestion()
+        name, kinds = page.part.suggestion()
         start, numbers = self._preferences.folder / name, count(2)
         # The dialog would open inside a folder.
         while start.is_dir():
             start = start.with_name(f"{name}-{next(numbers)}")
-        path = self._files.ask_where(page.windowTitle(), start, kinds, endings, ending=ending)
+        path = ask_save(self._window, page.windowTitle(), start, kinds)
         if path is None or not self._may_write(path, page.part.files(path)):
             return
         self._last, write = page.part.name, page.part.writer(path)

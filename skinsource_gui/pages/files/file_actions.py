@@ -14,7 +14,7 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, Signal
 
 from skinsource.base.errors import SkinSourceError, StorageError, printable
-from skinsource.base.files import path_exists, path_text, read_bytes
+from skinsource.base.files import path_text, read_bytes
 from skinsource.base.lock import Lock, Owner, still_runs
 from skinsource.design import edits
 from skinsource.design.design import TITLE, Design
@@ -30,7 +30,7 @@ from skinsource.design.edits.edit import Refusal
 from skinsource.design.edits.view import rename_snapshot
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.specs.image import MAX_IMAGE_BYTES
-from skinsource_gui.qt.questions import ask_name, ask_open, ask_to_replace, ask_to_save, ask_yes
+from skinsource_gui.qt.questions import ask_name, ask_open, ask_save, ask_to_save, ask_yes
 from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.state.document import NEW_VIEW, Document
 from skinsource_gui.state.preferences import Preferences
@@ -262,35 +262,8 @@ class FileActions(QObject):
         words = re.sub(r"[^\w.,+()-]+", " ", self._document.design.title)[:_LONGEST].strip(" .")
         unnamed = self.suggested or self._preferences.folder / f"{words or 'design'}{SUFFIX}"
         start = self._document.path or unnamed
-        path = self.ask_where("Save the design", start, _FILTER)
+        path = ask_save(self._window, "Save the design", start, _FILTER)
         return path is not None and self._save_to(path)
-
-    def ask_where(
-        self,
-        title: str,
-        start: Path,
-        kinds: str,
-        endings: tuple[str, ...] = (),
-        *,
-        ending: str = "",
-    ) -> Path | None:
-        """Ask for a file to write; return None if the user cancels.
-
-        The path has one of the ``endings`` or that of ``start``.  Other names get ``ending``, which
-        may be longer than a suffix, as ``_stim.tsv.gz``, or else that of ``start``.
-        """
-        name, _ = QtWidgets.QFileDialog.getSaveFileName(self._window, title, str(start), kinds)
-        if not name:
-            return None
-        path = Path(name)
-        if path.suffix.lower() not in (start.suffix.lower(), *endings):
-            # The dialog asked about the name as it was typed.
-            for part in Path(ending).suffixes:
-                name = name.removesuffix(part)
-            path = Path(f"{name}{ending or start.suffix}")
-            if path_exists(path) and not ask_to_replace(self._window, [path]):
-                return None
-        return path
 
     def note_written(self, path: Path, note: str = "") -> None:
         """Remember the folder of a file that was written, and report the file and ``note``."""

@@ -58,7 +58,8 @@ class MapsFilm:
         common, closes = moving.common_turns
         common_s = common * moving.longest_s
         of = f" of {1e3 * common_s:.1f}" if closes else ""
-        period = " of one period" if of and common == 1 and not moving.any_passes else ""
+        passes = any(loop.phasors is None for loop, _ in filter(None, moving.loops))
+        period = " of one period" if of and common == 1 and not passes else ""
         about = f"{1e3 * (moving.ran_s % common_s):.1f}{of} ms{period}"
         content = replace(self.content, cells=moving.cells(), about=about)
 

@@ -221,7 +221,6 @@ class PlacesCanvas(QtWidgets.QWidget):
             (draft.inputs, theme.accent, _RADIUS_PX),
         ):
             self._paint_points(painter, transform, points, QtGui.QColor(colour), radius)
-        painter.end()
 
     def _paint_outline(
         self, painter: QtGui.QPainter, transform: QtGui.QTransform, outline: Floats

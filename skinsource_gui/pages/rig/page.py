@@ -185,7 +185,7 @@ class MeasurePage(ToolPage):
         self.cells[_DEVICE] = self._devices(())
         self._show_cells()
         self.plot = ResponseView("measured-plot", "Measured response")
-        self.plot.show_message(_NOTHING)
+        self.plot.plot.show_message(_NOTHING)
         self._bar = progress_bar("measure_progress", "Progress", keeps_room=True)
         self.arm = self.add_arm("measure_arm", self._show_armed)
         self.start = self.add_button("measure_start", "Start", _START, self._start)
@@ -199,8 +199,8 @@ class MeasurePage(ToolPage):
         about = page_label("measure_about", _INTRODUCTION)
         foot = in_row(self.arm, self.start, self.stop, (self._bar, 1), self.keep, self._close)
         in_column(about, self.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX)
-        self.plot.exports.failed.connect(self.say)
-        self.plot.exports.written.connect(self.say)
+        self.plot.exports.failed.connect(self.complain)
+        self.plot.exports.written.connect(lambda path: self.say(f"Saved {path.name}."))
         self._progressed.connect(self._show_progress, Qt.ConnectionType.QueuedConnection)
         self._settings.changed.connect(self._list_inputs)
         # To look for devices ends playback and frees the sound card.
@@ -242,7 +242,7 @@ class MeasurePage(ToolPage):
         try:
             self.setup = replace(self.setup, **{name: value})
         except InvalidInputError as error:
-            self.say(str(error))
+            self.complain(str(error))
             self.cells[name].set_value(getattr(self.setup, name))
         else:
             self._say_readiness()
@@ -260,14 +260,14 @@ class MeasurePage(ToolPage):
         discard((old,), None)
         self._say_readiness()
         if error is not None and not self._missing:
-            self.say(str(error))
+            self.complain(str(error))
 
     def _start(self) -> None:
         setup, channel = self.setup, self._channel
         self._settings.preferences.sensor_text = setup_text(setup)
         self._stop.clear()
         self._running, self.measurement = True, None
-        self.plot.show_message("Measuring…")
+        self.plot.plot.show_message("Measuring…")
         self.say("Two seconds of silence first.")
         self._show_state()
         work = partial(
@@ -290,8 +290,11 @@ class MeasurePage(ToolPage):
                 " ".join((*measurement.lines, *model_difference_text(measurement, self._channel)))
             )
         else:
-            self.plot.show_message(_NOTHING)
-            self.say("Stopped." if isinstance(error, Stopped) else str(error))
+            self.plot.plot.show_message(_NOTHING)
+            if isinstance(error, Stopped):
+                self.say("Stopped.")
+            else:
+                self.complain(str(error))
         self._show_state()
 
     def _keep(self) -> None:
@@ -333,9 +336,6 @@ class MeasurePage(ToolPage):
         self.stop.setEnabled(self._running)
         self.keep.setEnabled(self.measurement is not None)
         self._bar.setVisible(self._running)
-
-    def say(self, text: str) -> None:
-        super().say(text if text.endswith(("…", ".")) else sentence(text))
 
 
 _LIMIT = "limit "
@@ -517,7 +517,7 @@ class RigPage(ToolPage):
         self.fields.edited.connect(
             lambda channel: self.take_channel(self.channels.currentRow(), channel)
         )
-        self.fields.refused.connect(self.say)
+        self.fields.refused.connect(self.complain)
         self.fields.from_file.clicked.connect(self._ask_response)
         self.fields.measure.clicked.connect(self._measure)
         self.fields.forget.clicked.connect(partial(self._take_response, None))
@@ -540,9 +540,6 @@ class RigPage(ToolPage):
         channels[row] = channel
         self._change(tuple(channels), row)
 
-    def say(self, text: str) -> None:
-        super().say(sentence(text))
-
     def _show(self, row: int) -> None:
         """Show the rig, and one of its channels."""
         rig, channels = self.rig, self.rig.channels
@@ -557,7 +554,7 @@ class RigPage(ToolPage):
         self._remove_button.setEnabled(bool(channels))
         changed = " (changed)" if self.unsaved else ""
         where = path_text(Path(self.path.name)) if self.path is not None else "not saved yet"
-        self.say(f"The rig is {where}{changed}" if channels else _NO_CHANNEL)
+        self.say(f"The rig is {where}{changed}." if channels else _NO_CHANNEL)
 
     def _show_channel(self, row: int) -> None:
         self.fields.show_channel(self.rig.channels[row] if row >= 0 else None)
@@ -568,7 +565,7 @@ class RigPage(ToolPage):
             self.rig = replace(self.rig, channels=channels)
         except InvalidInputError as error:
             self._show(self.channels.currentRow())
-            self.say(str(error))
+            self.complain(str(error))
         else:
             self._show(after)
 
@@ -576,7 +573,7 @@ class RigPage(ToolPage):
         try:
             self.rig = replace(self.rig, title=title)
         except InvalidInputError as error:
-            self.say(str(error))
+            self.complain(str(error))
 
     def _add(self) -> None:
         """Add a channel for the next free place, of the design first, and the next free output."""
@@ -619,7 +616,7 @@ class RigPage(ToolPage):
         """Set the response of a channel as measured today; None: forget it."""
         row = self.channels.currentRow()
         if error is not None:
-            self.say(str(error))
+            self.complain(str(error))
         elif row >= 0:
             today = "" if response is None else datetime.now(UTC).date().isoformat()
             channel = replace(self.rig.channels[row], measured=response, measured_on=today)
@@ -632,36 +629,29 @@ class RigPage(ToolPage):
         try:
             self.rig = self._saved = open_rig(path)
         except SkinSourceError as error:
-            self.say(str(error))
+            self.complain(str(error))
             return
         self.path = path
         self._show(0)
 
-    def _save(self) -> None:
+    def _save(self) -> bool:
+        """Ask for a file and write the rig; return whether that was done."""
         start = self.path or Path(f"{self.rig.title or 'rig'}{SUFFIX}")
         path = self.ask_save("Save the rig", _KINDS, start)
         if path is None:
-            return
-        if not path.suffix:
-            path = path.with_name(f"{path.name}{SUFFIX}")
-        try:
-            save_rig(path, self.rig)
-        except SkinSourceError as error:
-            self.say(str(error))
-            return
+            return False
+        write = partial(save_rig, path, self.rig)
+        if not self.save_as(path, write, self._settings.preferences):
+            return False
         self.path, self._saved = path, self.rig
         if self._use.isChecked() and self._settings.choose_rig(path):
             design, view = self._document.design, self._document.view
             self._document.apply(edits.choose_rig(design, view, self.rig))
         self._show(self.channels.currentRow())
-        self.say(f"Saved {path_text(Path(path.name))}")
+        self.say(f"Saved {path_text(Path(path.name))}.")
+        return True
 
     def _may_lose_changes(self) -> bool:
         """Return whether there are none, or they are saved now, or the user gives them up."""
-
-        def save() -> bool:
-            self._save()
-            return not self.unsaved
-
         question = "The changes of the rig are not saved. Save them?"
-        return not self.unsaved or ask_to_save(self, "Changes of the rig", question, save)
+        return not self.unsaved or ask_to_save(self, "Changes of the rig", question, self._save)

@@ -296,8 +296,7 @@ class StimulusForm(QtWidgets.QWidget):
         self._choices = {}
         position: Any = self._form.getWidgetPosition(self._about)
         for row, (name, spec) in enumerate(format.choices.items(), start=position[0] + 1):
-            field = ChoiceField(spec)
-            field.setObjectName(f"stimulus_choice_{name}")
+            field = named(ChoiceField(spec), f"stimulus_choice_{name}")
             field.edited.connect(self.emit_order)
             self._form.insertRow(row, spec.label, field)
             self._choices[name] = field

@@ -44,7 +44,7 @@ from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, reme
 from skinsource_gui.plots.ranges import in_rows, without_notches
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scrolled, show_or_hide
 from skinsource_gui.qt.labels import RowTable
-from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
+from skinsource_gui.qt.layouts import Policy, in_column, in_row, named, tooltip
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, dots_in_px, set_tone, tabular
 from skinsource_gui.state.worker import fault_text
@@ -63,9 +63,7 @@ class ChannelsView(QtWidgets.QWidget):
         #: The channels that are painted.
         self.channels: tuple[ChannelOverview, ...] = ()
         self._colours: Mapping[int, int] = {}
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        self.setSizePolicy(Policy.Expanding, Policy.Fixed)
 
     def sizeHint(self) -> QSize:
         return QSize(_TEXT_PX + 2 * _LEAST_PX, len(self.channels) * (_ROW_PX + _GAP_PX))
@@ -248,10 +246,10 @@ class StimulusPart(ExportPart):
         """Whether the order that is prepared is not shown yet."""
         return self._ordered is not None and self.prepared is None
 
-    def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
+    def suggestion(self) -> tuple[str, str]:
         kind = self.form.format
         title = "New folder" if kind.folder else kind.title
-        return f"{self._stem}{kind.suffix}", f"{title} (*{kind.suffix})", (), kind.suffix
+        return f"{self._stem}{kind.suffix}", f"{title} (*{kind.suffix})"
 
     def files(self, path: Path) -> Iterable[tuple[Path, ...]]:
         return () if self.prepared is None else written_files(self.prepared, path)
@@ -501,8 +499,8 @@ class SetPart(StimulusPart):
         for variable in self.variables:
             variable.set_options(titles.items())
 
-    def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
-        return f"{self._stem}-set", "New folder, none replaced (*)", (), ""
+    def suggestion(self) -> tuple[str, str]:
+        return f"{self._stem}-set", "New folder, none replaced (*)"
 
     def files(self, path: Path) -> tuple[()]:
         return ()

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QEvent, QSize
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import REGION_OUTPUTS, region_levels_db, related_limbs
@@ -18,7 +18,7 @@ from skinsource.limbs.own_limbs import missing_limb
 from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.figure import NoteLabel
-from skinsource_gui.qt.labels import set_table_look
+from skinsource_gui.qt.labels import set_table_look, table_cell
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import copied_level, tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, scaled, tabular
@@ -187,7 +187,6 @@ class RegionTable(QtWidgets.QTableWidget):
     def __init__(self) -> None:
         super().__init__(len(REGION_OUTPUTS), 0)
         named(self, "regions_table", "RMS levels by region")
-        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         set_table_look(self)
         self.verticalHeader().show()
         self.fit_font(self.font())
@@ -195,16 +194,12 @@ class RegionTable(QtWidgets.QTableWidget):
     def show_columns(self, columns: Sequence[Column]) -> None:
         """Show these columns in their order."""
         self.setColumnCount(len(columns))
-        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for k, column in enumerate(columns):
             head = QtWidgets.QTableWidgetItem(column.head or column.title)
             head.setToolTip(column.hint)
             self.setHorizontalHeaderItem(k, head)
             for row, text in enumerate(column.texts()):
-                item = QtWidgets.QTableWidgetItem(text)
-                item.setTextAlignment(right)
-                item.setToolTip(column.hint)
-                self.setItem(row, k, item)
+                self.setItem(row, k, table_cell(text, column.hint, right=True))
         self._name_rows()
 
     def fit_font(self, base: QtGui.QFont) -> None:

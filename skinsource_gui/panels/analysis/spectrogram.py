@@ -32,6 +32,7 @@ from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import BEFORE_S, Range
 from skinsource_gui.qt.fitting import FoldingRow, fit_to_letters, grouped
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.compared import SILENT
 
@@ -228,17 +229,14 @@ class SpectrogramView(FigureView):
         self._results: Mapping[str, Any] | None = None
         self.output = ChoiceField(ChoiceSpec(label="Output", options=()), empty="Select outputs")
         self.output.setObjectName("spectrogram_output")
-        self.window_length = ChoiceField(WINDOW)
-        self.window_length.setObjectName("spectrogram_window")
+        self.window_length = named(ChoiceField(WINDOW), "spectrogram_window")
         self.floor = NumberField(FLOOR, widest_unit="Hz")
         self.ceiling = NumberField(CEILING, widest_unit="Hz")
         for choice in (self.output, self.window_length):
             # Never narrower than its text.
             choice.setMinimumContentsLength(0)
             choice.setSizeAdjustPolicy(QtWidgets.QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.window_length.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Fixed
-        )
+        self.window_length.setSizePolicy(Policy.Maximum, Policy.Fixed)
         for field in (self.floor, self.ceiling):
             fit_to_letters(field, _MOST_NUMBER_PX, at_most=True)
         gap_px = UNIT_PX // 2

@@ -4,19 +4,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Signal
 
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.keys import claims_shortcut
-from skinsource_gui.qt.labels import set_table_look
+from skinsource_gui.qt.labels import set_table_look, table_cell
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import current_theme
 
 #: Titles of columns, and what they mean.
 Columns = Sequence[tuple[str, str]]
 
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 # The least that is written of a name.
 _LEAST_NAME = "00 ≈…0"
@@ -46,10 +45,7 @@ class OutputTable(QtWidgets.QTableWidget):
         super().__init__()
         self._columns: Columns = ()
         self._rows: Sequence[TableRow] = ()
-        self.setObjectName(name)
-        self.setAccessibleName(accessible_name)
-        set_table_look(self)
-        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
+        set_table_look(named(self, name, accessible_name))
         self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
 
     def show_rows(self, columns: Columns, rows: Sequence[TableRow]) -> None:
@@ -61,19 +57,13 @@ class OutputTable(QtWidgets.QTableWidget):
         self.setRowCount(len(rows))
         theme = current_theme()
         for column, (title, hint) in enumerate(columns):
-            head = QtWidgets.QTableWidgetItem(title)
-            head.setToolTip(hint)
-            head.setTextAlignment(_RIGHT if column else _LEFT)
-            self.setHorizontalHeaderItem(column, head)
+            self.setHorizontalHeaderItem(column, table_cell(title, hint, right=column > 0))
         for rank, row in enumerate(rows):
             for column, text in enumerate(row.texts):
-                item = QtWidgets.QTableWidgetItem(text)
-                item.setForeground(QtGui.QColor(theme.dim if row.hint else theme.text))
-                item.setTextAlignment(_RIGHT if column else _LEFT)
-                item.setToolTip(row.hint)
-                if column == 0:
-                    item.setForeground(theme.output_colour(rank))
-                    item.setToolTip(row.hint or text)
+                hint = row.hint if column else row.hint or text
+                item = table_cell(text, hint, right=column > 0)
+                colour = QtGui.QColor(theme.dim if row.hint else theme.text)
+                item.setForeground(colour if column else theme.output_colour(rank))
                 self.setItem(rank, column, item)
         self._fit_names()
 

@@ -29,6 +29,7 @@ from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.figure import Figure
 from skinsource_gui.plots.small_map import (
     LEAST_MAP_PX,
@@ -209,11 +210,6 @@ def window_titles(
     return tuple(begin if k % columns % step == 0 else "" for k, begin in enumerate(begins))
 
 
-def windows_heading(content: WindowedContent, width_of: Callable[[str], float], room: float) -> str:
-    """Return the longest text on the times of the windows that fits into ``room``, or ""."""
-    return next((phrase for phrase in content.begin_phrases if width_of(phrase) <= room), "")
-
-
 _MOST_MAP_PX = 190.0
 # Usual height of the plot, in lines of text, and the least at which its three numbers are legible.
 _PLOT_LINES, _LEAST_PLOT_LINES = 6.5, 4.6
@@ -276,8 +272,8 @@ _DOT_PX = 2.5
 _RING_PX = 4.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-#: Names of the curves of the extent, and shorter ones; each has the colour of an output.
-CURVES = (("mean distance", "90 % of the energy within"), ("mean", "90 %"))
+# Names of the curves of the extent, and shorter ones; each has the colour of an output.
+_CURVES = (("mean distance", "90 % of the energy within"), ("mean", "90 %"))
 
 
 def paint_strip(
@@ -350,18 +346,14 @@ def _paint_extent(
                 painter.drawLine(before, at)
             painter.drawEllipse(at, _DOT_PX, _DOT_PX)
             before = at
-    x, metrics = area.left(), painter.fontMetrics()
-    for rank, name in enumerate(curve_names(area.width(), metrics.horizontalAdvance, line)):
+    x, metrics, (names, shorter) = area.left(), painter.fontMetrics(), _CURVES
+    if sum(map(metrics.horizontalAdvance, names)) + line > area.width():
+        names = shorter
+    for rank, name in enumerate(names):
         painter.setPen(theme.output_colour(rank))
         room = metrics.horizontalAdvance(name) + line
         painter.drawText(QRectF(x, area.top() - 1.2 * line, room, line), Qt.AlignmentFlag(0), name)
         x += room
-
-
-def curve_names(room: float, width_of: Callable[[str], float], gap: float) -> tuple[str, str]:
-    """Return the names of the curves, or shorter ones where these do not fit."""
-    names, shorter = CURVES
-    return names if sum(map(width_of, names)) + gap <= room else shorter
 
 
 def _paint_axis(
@@ -432,11 +424,11 @@ class StripView(Figure):
         """The text above the strip: what its times are, as long as fits."""
         if self.content is None or self.message:
             return ""
-        metrics = QtGui.QFontMetrics(tabular(self.font()))
+        metrics = QtGui.QFontMetricsF(tabular(self.font()))
         room = self.places.head.width() - metrics.height()
         if self.content.synthetic:
             room -= metrics.horizontalAdvance(_SYNTHETIC)
-        return windows_heading(self.content, metrics.horizontalAdvance, room)
+        return fitting(self.content.begin_phrases, metrics, room)
 
     def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         if self.content is None:
@@ -590,8 +582,8 @@ class WindowedView(AnalysisView):
         # The layout leaves a line for the head of the panel, which the heading covers.
         room = QRectF(0.0, 2.4 * line, width, height - 2.9 * line)
         layout = strip_layout(room, content.windows.count, line)
-        width_of = painter.fontMetrics().horizontalAdvance
-        times = windows_heading(content, width_of, heading.width())
+        metrics = QtGui.QFontMetricsF(painter.font())
+        times = fitting(content.begin_phrases, metrics, heading.width())
         painter.drawText(heading, 0, self._heading(times))
         with on_paper():
             paint_strip(painter, content, layout, theme)

@@ -36,6 +36,7 @@ from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.keys import arrow_steps, key_text, meaning_of
 from skinsource_gui.qt.labels import HOW_TO_SELECT_CLIP, FittingLabel, how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row, named, show_tooltip
+from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -50,11 +51,8 @@ class EditorBody(QtWidgets.QWidget):
 
     def __init__(self, canvas: QtWidgets.QWidget, spectrum: QtWidgets.QWidget) -> None:
         super().__init__()
-        self._layout = QtWidgets.QBoxLayout(QtWidgets.QBoxLayout.Direction.TopToBottom, self)
-        self._layout.setContentsMargins(0, 0, 0, 0)
-        self._layout.setSpacing(0)
-        self._layout.addWidget(canvas, _CANVAS_PART)
-        self._layout.addWidget(spectrum, _SPECTRUM_PART)
+        parts = (canvas, _CANVAS_PART), (spectrum, _SPECTRUM_PART)
+        self._layout = in_column(*parts, of=self, margins=0, gap_px=0)
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -122,15 +120,12 @@ class PenEdits(ToolEdits):
             return True
         baked = clip.effects[: time_effects_end(clip)]
         lost = f" and effects ({', '.join(effect.title.lower() for effect in baked)})"
-        answer = QtWidgets.QMessageBox.question(
-            self._panel,
-            "Draw over the waveform?",
+        question = (
             f"The clip plays {figure_text(clip.waveform)}. Drawing converts it into samples; its "
             f"parameters{lost if baked else ''} can then no longer be edited. "
-            "Undo brings them back.",
-            QtWidgets.QMessageBox.StandardButton.Ok | QtWidgets.QMessageBox.StandardButton.Cancel,
+            "Undo brings them back."
         )
-        if answer != QtWidgets.QMessageBox.StandardButton.Ok:
+        if not ask_yes(self._panel, "Draw over the waveform?", question):
             return False
         self._allowed = clip.waveform
         if baked:
@@ -191,10 +186,6 @@ class EditorToolbar(QtWidgets.QWidget):
         row.addWidget(self.fit)
         self._description = named(FittingLabel(), "clip_words")
         set_tone(self._description, "dim")
-        self._description.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self._description.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Preferred
-        )
         row.addWidget(self._description, 1)
 
     def show_text(self, text: str, *, enabled: bool, hint: str = "") -> None:

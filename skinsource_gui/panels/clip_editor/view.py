@@ -4,7 +4,6 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-import pyqtgraph
 from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QLineF, QObject, QPointF, QRectF, QSize, Qt, Signal
@@ -14,10 +13,10 @@ from skinsource.design.clips import Clip
 from skinsource.signals.spectra import share_outside_band
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import visible_course
-from skinsource_gui.plots.plot import Canvas
+from skinsource_gui.plots.plot import Canvas, CanvasItem
 from skinsource_gui.plots.preview import SpectrumPreview
-from skinsource_gui.plots.ranges import Points, columns_of, linear_ticks, wave_of
-from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
+from skinsource_gui.plots.ranges import Points, columns_of, linear_ticks, wave_of, within
+from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, zoomed
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import FittingLabel
@@ -158,30 +157,21 @@ _UPDATING, _GREY = "updating…", "grey: before effects"
 _DOTS_PX = 6.0
 
 
-class EditorItem(pyqtgraph.GraphicsObject):
+class EditorItem(CanvasItem):
     """Paints a clip and what its tool shows."""
 
     def __init__(self) -> None:
         super().__init__()
         self._content: EditorContent | None = None
         self._tool: Tool | None = None
-        self._font = QtGui.QFont()
-        self._rect = QRectF(0, 0, 1, 1)
         self._stale = False
         # What the pointer leaves as it is: axes, the waveform, and what it plays.
         self._course = CachedPicture()
 
     def show_content(self, content: EditorContent | None, tool: Tool, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
-        if rect != self._rect:
-            self.prepareGeometryChange()
-            self._rect = rect
+        self._set_rect(rect)
         self._content, self._tool = content, tool
-        self.update()
-
-    def show_font(self, font: QtGui.QFont) -> None:
-        """Take over a font."""
-        self._font = font
         self.update()
 
     def show_staleness(self, stale: bool) -> None:
@@ -189,9 +179,6 @@ class EditorItem(pyqtgraph.GraphicsObject):
         if stale != self._stale:
             self._stale = stale
             self.update()
-
-    def boundingRect(self) -> QRectF:
-        return self._rect
 
     def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         content, tool = self._content, self._tool
@@ -527,10 +514,6 @@ class SpectrumStrip(QtWidgets.QWidget):
         self._preview, self._label = SpectrumPreview(), FittingLabel()
         self._preview.setAccessibleName("Spectrum of the clip")
         self.setMinimumHeight(78)
-        self._label.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed
-        )
-        self._label.setAlignment(Qt.AlignmentFlag.AlignLeft)
         in_column(self._label, (self._preview, 1), of=self, margins=0, gap_px=0)
         self.outside = 0.0
         self._shown: tuple[object, ...] = ()

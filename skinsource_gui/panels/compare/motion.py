@@ -64,14 +64,12 @@ class MovingMaps:
         Unit of what moves, along which axis it does, and whether it is matched.
     pictures_per_s
         How many pictures are needed for it.
-    made
-        Number of maps that were interpolated.
     """
 
     def __init__(self) -> None:
         self.loops: list[tuple[Loop, float] | None] = []
         self.turns, self.passes = 0.0, False
-        self.slow_motion, self.pictures_per_s, self.made = 1.0, _PICTURES_PER_S, 0
+        self.slow_motion, self.pictures_per_s = 1.0, _PICTURES_PER_S
         self.axes, self.chosen, self.matched, self.unit = "z", 0.0, "", "m/s²"
         self._cells: tuple[Cell, ...] = ()
         self._compared: Sequence[Compared] = ()
@@ -96,11 +94,6 @@ class MovingMaps:
         """Whether all is as at first after the longest loop."""
         times = [self.longest_s / self.length_s(known[0]) for known in self.loops if known]
         return all(isclose(each, round(each), abs_tol=1e-6) for each in times)
-
-    @property
-    def any_passes(self) -> bool:
-        """Whether any of it is no period of a steady tone."""
-        return any(known[0].phasors is None for known in self.loops if known)
 
     @property
     def longest_s(self) -> float:
@@ -212,7 +205,6 @@ class MovingMaps:
         cell, values, side = self._cells[k], self.values(k), self._compared[k].values
         if cell.small is None or values is None or side is None:
             return cell
-        self.made += 1
         field = side["surface"].interpolate(values) if cell.small.field is not None else None
         small = replace(cell.small, levels_db=values, field_levels_db=field)
         return replace(cell, small=small)

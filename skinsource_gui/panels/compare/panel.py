@@ -32,7 +32,7 @@ from skinsource_gui.panels.compare.view import paint_page
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.buttons import menu_of, tool_button
 from skinsource_gui.qt.fitting import FoldingRow
-from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.layouts import Policy, in_column, in_row, named
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
 
@@ -119,7 +119,7 @@ _OF_SNAPSHOTS = (
 )
 
 
-_FIXED = QtWidgets.QSizePolicy.Policy.Fixed
+_FIXED = Policy.Fixed
 
 
 class ChoicesBar(QtWidgets.QWidget):

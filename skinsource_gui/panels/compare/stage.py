@@ -67,7 +67,7 @@ from skinsource_gui.plots.small_map import Range, offer_arm
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.keys import KEYS, shortcut_text
-from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.layouts import Policy, in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, tabular
 from skinsource_gui.state.compared import Compared
 
@@ -289,8 +289,7 @@ class Knob(QtWidgets.QWidget):
         self.field = NumberField(ONSET_SPEC)
         self._axis, self._burst = Axis(shown=(0.0, 1.0), title=""), Burst(self)
         # The maps have the room first.
-        policy = QtWidgets.QSizePolicy.Policy
-        self.dial.setSizePolicy(policy.Preferred, policy.Ignored)
+        self.dial.setSizePolicy(Policy.Preferred, Policy.Ignored)
         self.dial.setRange(0, _STEPS)
         self.dial.setSingleStep(_STEP)
         self.dial.setPageStep(10 * _STEP)

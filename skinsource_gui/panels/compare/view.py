@@ -28,6 +28,7 @@ from skinsource_gui.plots.small_map import (
 )
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
 
 
@@ -303,8 +304,7 @@ class MapsView(QtWidgets.QWidget):
         self.picker = OutputPicker(self)
         self.picker.chosen.connect(self.outputs_chosen)
         self.picker.moved.connect(self._emit_pointed_at)
-        self.setObjectName("compared_maps")
-        self.setAccessibleName("Compared maps")
+        named(self, "compared_maps", "Compared maps")
         self.setAccessibleDescription(
             "; ".join((*KEYS["skin"].sentences("go", "select", "toggle"), "marked in all maps"))
         )
@@ -389,7 +389,6 @@ class MapsView(QtWidgets.QWidget):
             self._paint_maps(painter, theme)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
-        painter.end()
 
     def _paint_maps(self, painter: QtGui.QPainter, theme: Theme) -> None:
         """Draw the maps and the rubber band."""

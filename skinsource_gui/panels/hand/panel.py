@@ -32,6 +32,7 @@ from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.buttons import page_label, passing_menu, tool_button
 from skinsource_gui.qt.frames import DropPlace, paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.panel import Panel
@@ -332,8 +333,8 @@ class HandDiagram(QtWidgets.QWidget):
 
     Attributes
     ----------
-    stage
-        What is shown, and where.
+    stage, site_cursor
+        What is shown, and where; the cursor of the keyboard.
     """
 
     #: Site of a new input, and whether what is selected stays so besides.
@@ -359,19 +360,8 @@ class HandDiagram(QtWidgets.QWidget):
         self._mouse, self.site_cursor = SiteMouse(self), SiteCursor(self)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setObjectName("hand_diagram")
-        self.setAccessibleName("Hand, palm side")
+        named(self, "hand_diagram", "Hand, palm side")
         self.describe(self.site_cursor.site)
-
-    @property
-    def state(self) -> HandState:
-        """What is shown."""
-        return self.stage.state
-
-    @property
-    def cursor_site(self) -> int:
-        """Site of the keyboard's cursor, whether or not it is shown."""
-        return self.site_cursor.site
 
     def site_centre(self, site: int) -> QPoint:
         """Return the middle of a site's marker, in pixels of this widget."""
@@ -383,8 +373,8 @@ class HandDiagram(QtWidgets.QWidget):
 
     def told(self, k: int) -> Told:
         """Return what a screen reader says of a place."""
-        site, marks = k + 1, self.state.marks
-        chosen = any(marks[index].chosen for index in self.state.at(site))
+        site, marks = k + 1, self.stage.state.marks
+        chosen = any(marks[index].chosen for index in self.stage.state.at(site))
         name = self.stage.text(site).replace("\n", ". ").replace(", selected", "")
         return Told(f"Place {name}", self.stage.layout.marker_area(site), chosen)
 
@@ -402,7 +392,7 @@ class HandDiagram(QtWidgets.QWidget):
 
         ``anew`` says that none of them is as one was before.
         """
-        before = self.state
+        before = self.stage.state
         self._mouse.check(marks)
         self.stage.change(marks=marks, selected=selected)
         self.site_cursor.keep_up(before, anew=anew, focused=self.hasFocus())
@@ -428,7 +418,6 @@ class HandDiagram(QtWidgets.QWidget):
         if self.hasFocus():
             # The frame shows that keys act here; the ring shows where, once they are used.
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
-        painter.end()
 
     def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         self.stage.pan_zoom.wheel(event)
@@ -475,8 +464,8 @@ class HandDiagram(QtWidgets.QWidget):
 
     def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
         if event.reason() == QtGui.QContextMenuEvent.Reason.Keyboard:
-            site: int | None = self.cursor_site
-            at = self.mapToGlobal(self.site_centre(self.cursor_site))
+            site: int | None = self.site_cursor.site
+            at = self.mapToGlobal(self.site_centre(self.site_cursor.site))
         else:
             site = self.stage.site_at(QPointF(event.pos()))
             at = event.globalPos()
@@ -484,8 +473,8 @@ class HandDiagram(QtWidgets.QWidget):
             event.ignore()
             return
         self.site_cursor.site = site
-        front = self.state.front_at(site)
-        if front is not None and not self.state.marks[front].chosen:
+        front = self.stage.state.front_at(site)
+        if front is not None and not self.stage.state.marks[front].chosen:
             self.select_requested.emit(front)
         self.menu_requested.emit(site, at)
 
@@ -515,7 +504,7 @@ class HandDiagram(QtWidgets.QWidget):
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QtGui.QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             site = self.stage.site_at(QPointF(event.pos()))
-            if site is None or self.state.moving is not None:
+            if site is None or self.stage.state.moving is not None:
                 QtWidgets.QToolTip.hideText()
             else:
                 area = self.stage.layout.marker_area(site).toAlignedRect()
@@ -528,7 +517,7 @@ class HandDiagram(QtWidgets.QWidget):
         if event.key() == Qt.Key.Key_Escape:
             return self._mouse.busy
         # Until keys are used here, Space belongs to the window.
-        if event.key() == Qt.Key.Key_Space and self.state.cursor is None:
+        if event.key() == Qt.Key.Key_Space and self.stage.state.cursor is None:
             return False
         return bool(meaning_of(_PLACE, event))
 
@@ -585,7 +574,7 @@ class HandPanel(Panel):
         before = self._design.inputs
         shown = self._design.limb, self._view.selected_inputs, len(before)
         self._design, self._view = design, view
-        if self._elsewhere is not None and self.diagram.state.moving is None:
+        if self._elsewhere is not None and self.diagram.stage.state.moving is None:
             # The input may have moved.
             self.show_pointed_input(self._elsewhere)
         missing = facts_of(design.limb).missing
@@ -618,7 +607,7 @@ class HandPanel(Panel):
 
     def _point_at_place(self, at: tuple[float, float] | None) -> None:
         places = self._places()
-        self.diagram.stage.change(ring=at if self.diagram.state.hovered is None else None)
+        self.diagram.stage.change(ring=at if self.diagram.stage.state.hovered is None else None)
         self.place_pointed_at.emit(None if at is None or places is None else places.on_map(at))
 
     def _places(self) -> PlacesOfMap | None:
@@ -648,7 +637,7 @@ class HandPanel(Panel):
 
     def _follow_pointer(self) -> None:
         """Tell other panels which input the mouse points at."""
-        state = self.diagram.state
+        state = self.diagram.stage.state
         index = None if state.hovered is None else state.front_at(state.hovered)
         ids = () if index is None else self._ids_at(index)
         pointed_at = ids[0] if ids else None
@@ -702,7 +691,7 @@ class HandPanel(Panel):
         self.edited.emit(edit(self._design, self._view, *arguments), gesture)
 
     def _open_menu(self, site: int, at: QPoint) -> None:
-        index = self.diagram.state.front_at(site)
+        index = self.diagram.stage.state.front_at(site)
         menu = passing_menu(self, "hand_menu")
         add = f"Add input here\t{key_text('hand', 'place_another')}"
         menu.addAction(add, partial(self._add, site))

@@ -23,7 +23,7 @@ from skinsource.specs.spec import SwitchSpec
 from skinsource_gui.plots.outputs import output_beyond
 from skinsource_gui.plots.small_map import paint_ring
 from skinsource_gui.qt.buttons import text_colour_on
-from skinsource_gui.qt.frames import Frame
+from skinsource_gui.qt.frames import Frame, closed_path, polygon
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, is_on_paper, tabular, translucent
 from skinsource_gui.qt.wheel import WHOLE, PanZoom
 
@@ -91,11 +91,6 @@ class Marker:
         base = self.centre - self.push * (size / 2)
         half = across * (size * 0.866)
         return _rounded([self.centre + self.push * size, base + half, base - half])
-
-
-def least_radius_px(site: int) -> float:
-    """Return the smallest radius of a site that is in use: its number fits in."""
-    return max(_IN_USE_PX, _DIGIT * len(str(site)) * _LETTERS_PX)
 
 
 def has_room(place: Marker) -> bool:
@@ -179,13 +174,9 @@ def paint_selection(
 def paint_cursor(painter: QtGui.QPainter, place: Marker, theme: Theme) -> None:
     """Paint the dashed ring of the keyboard's cursor."""
     radius = place.radius_px * (1.0 if place.push is None else 1.3) + 7.5
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 4.0))
-    painter.drawEllipse(place.centre, radius, radius)
     pen = QtGui.QPen(QtGui.QColor(theme.accent), 2.0)
     pen.setDashPattern([3.0, 2.0])
-    painter.setPen(pen)
-    painter.drawEllipse(place.centre, radius, radius)
+    paint_ring(painter, place.centre, radius, pen, theme)
 
 
 def _rounded(corners: list[QPointF]) -> QtGui.QPainterPath:
@@ -315,9 +306,7 @@ def palmar_drawing(shape: HandShape) -> HandDrawing:
         # Seen from the palm, left and right change places; on screen y points down.
         return shape.wrist - points
 
-    outline, creases = QtGui.QPainterPath(), QtGui.QPainterPath()
-    outline.addPolygon(polygon(palmar(shape.outline)))
-    outline.closeSubpath()
+    creases = QtGui.QPainterPath()
     for line in shape.creases:
         creases.addPolygon(polygon(palmar(line)))
     sites, pushes = palmar(shape.input_positions), np.zeros((len(shape.input_positions), 2))
@@ -329,7 +318,7 @@ def palmar_drawing(shape: HandShape) -> HandDrawing:
     shown = shown[shown[:, 1] < _ARM_PX]
     left, top = shown.min(axis=0)
     return HandDrawing(
-        outline=outline,
+        outline=closed_path(palmar(shape.outline)),
         creases=creases,
         bounds=QRectF(QPointF(left, top), QPointF(float(shown[:, 0].max()), _ARM_PX)),
         sites=sites,
@@ -399,11 +388,6 @@ def hand_pixmap(
 cached_hand_pixmap = lru_cache(maxsize=2)(hand_pixmap)
 
 
-def polygon(points: NDArray[np.float64]) -> QtGui.QPolygonF:
-    """Return points as a polygon of Qt."""
-    return QtGui.QPolygonF([QPointF(x, y) for x, y in points])
-
-
 def _pen(colour: QtGui.QColor, opacity: float, width: float) -> QtGui.QPen:
     faint = translucent(colour, round(255 * opacity))
     cap, join = Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin
@@ -466,7 +450,7 @@ class HandLayout:
 
     def radius_in_use_px(self, site: int) -> float:
         """Return the radius of a site in use or pointed at: its number fits in."""
-        return max(self.radius_px(site), least_radius_px(site))
+        return max(self.radius_px(site), _IN_USE_PX, _DIGIT * len(str(site)) * _LETTERS_PX)
 
     def push(self, site: int) -> QPointF | None:
         """Return the direction of an in-axis contact; ``None`` for a perpendicular one."""
@@ -708,9 +692,6 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
         # Seen from the palm left and right change places; on screen y points down.
         return -scale * points
 
-    outline = QtGui.QPainterPath()
-    outline.addPolygon(polygon(palmar(limb_map.outline)))
-    outline.closeSubpath()
     sites = _separated(palmar(limb_map.input_positions))
     side = "Left" if facts.left else "Right"
     swapped = "\nmirrored," if facts.mirrored else ""
@@ -719,7 +700,7 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
     sites, bounds = _with_unplaced(sites, bounds, left)
     below = float(palmar(limb_map.outline)[:, 1].max()) - bounds.bottom()
     return HandDrawing(
-        outline=outline,
+        outline=closed_path(palmar(limb_map.outline)),
         creases=QtGui.QPainterPath(),
         bounds=bounds,
         sites=sites,

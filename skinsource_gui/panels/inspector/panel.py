@@ -369,10 +369,6 @@ class ClipHeading(QtWidgets.QWidget):
         super().__init__(parent)
         self._swatch = Swatch()
         self._title = named(FittingLabel(), "inspector_heading")
-        self._title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self._title.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Preferred
-        )
         font = QtGui.QFont(self.font())
         font.setWeight(QtGui.QFont.Weight.DemiBold)
         self._title.setFont(font)

@@ -261,9 +261,6 @@ class PresetList(QtWidgets.QListView):
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(room, flags, self._message)
 
-    def _place(self, index: QModelIndex) -> None:
-        self.place_requested.emit(index.data(ENTRY))
-
     def _point_at(self, under: Entry | None) -> None:
         if under != self._under:
             self._under = under

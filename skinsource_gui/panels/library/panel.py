@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import ClassVar, cast
+from typing import ClassVar
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
@@ -17,9 +17,10 @@ from skinsource_gui.panels.library.list import PresetList, PresetPreview, Preset
 from skinsource_gui.qt.buttons import page_button, page_label, passing_menu
 from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.layouts import in_row, named
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.qt.windows import application
 from skinsource_gui.state.panel import Panel
 
 _PLACE = "library"
@@ -72,13 +73,9 @@ class SearchRow(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.line, self.tags = QtWidgets.QLineEdit(), DropDown()
-        self.line.setObjectName("preset_search")
-        self.line.setPlaceholderText("Search")
-        self.line.setAccessibleName("Search presets")
-        self.line.setToolTip(
-            "Words of the name, tags, description or source; "
-            f"{KEYS['library'].gestures['place'].shown} places"
-        )
+        places = f"{KEYS['library'].gestures['place'].shown} places"
+        hint = f"Words of the name, tags, description or source; {places}"
+        named(self.line, "preset_search", "Search presets", hint).setPlaceholderText("Search")
         self.line.setClearButtonEnabled(True)
         self.line.textChanged.connect(self.changed)
         self.line.installEventFilter(self)
@@ -194,24 +191,16 @@ class LibraryPanel(Panel):
         self.preview, self.buttons = PresetPreview(), LibraryButtons()
         self.faults = page_label("library_faults", tone="warning")
         self.faults.hide()
-        column = QtWidgets.QVBoxLayout(self)
-        column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
-        column.setSpacing(UNIT_PX // 2)
-        column.addWidget(self.search)
-        self._body = QtWidgets.QBoxLayout(QtWidgets.QBoxLayout.Direction.TopToBottom)
-        self._body.setSpacing(UNIT_PX // 2)
-        self._body.addWidget(self.rows, 3)
-        self._body.addWidget(self.preview, 2)
-        column.addLayout(self._body, 1)
-        column.addWidget(self.faults)
-        column.addWidget(self.buttons)
+        self._body = in_column((self.rows, 3), (self.preview, 2), gap_px=UNIT_PX // 2)
+        parts = self.search, (self._body, 1), self.faults, self.buttons
+        edges = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
+        in_column(*parts, of=self, margins=edges, gap_px=UNIT_PX // 2)
         self.rows.setMinimumSize(140, 110)
         self.setMinimumWidth(248)
         self.setFocusProxy(self.rows)
         self.rows.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.preview.hide()
-        application = cast(QtGui.QGuiApplication, QtGui.QGuiApplication.instance())
-        application.focusWindowChanged.connect(self._look_again)
+        application().focusWindowChanged.connect(self._look_again)
         self.folders.changed.connect(self._show_presets)
         self.folders.failed.connect(self.failed)
         self.search.changed.connect(self._show_presets)

@@ -61,7 +61,7 @@ from skinsource_gui.plots.signal_view import ResponseView
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or_hide, tool_button
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import in_column, in_row, named, show_tooltip
+from skinsource_gui.qt.layouts import Policy, in_column, in_row, named, show_tooltip
 from skinsource_gui.qt.resources import choice_of, number_named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.state.panel import Panel
@@ -127,8 +127,7 @@ class DeviceFields(QObject):
         grid.show_cells(list(self.cells.values()))
         self.main = FieldGrid()
         # As high as its rows, in a low panel too.
-        policy = QtWidgets.QSizePolicy.Policy
-        self.main.setSizePolicy(policy.Preferred, policy.Fixed)
+        self.main.setSizePolicy(Policy.Preferred, Policy.Fixed)
         rig = _cell("Rig", self.rig, self.edit_rig)
         self.main.show_cells([rig, _cell("Device", self.device), _cell("Gain", self.gain)])
         self.details = QtWidgets.QWidget()
@@ -212,7 +211,7 @@ class OutputRow:
         names = input_name(place, limb)
         self.place = place
         title = FittingLabel()
-        title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        title.setSizePolicy(Policy.Preferred, Policy.Fixed)
         title.show_phrases((f"{place} · {names.name}", f"{place} · {names.short_name}", f"{place}"))
         title.setToolTip(names.name)
         self.meter, self.level = QtWidgets.QProgressBar(), QtWidgets.QLabel()
@@ -225,9 +224,8 @@ class OutputRow:
             label=f"Output of place {place}", minimum=1, maximum=MOST_OUTPUTS, whole=True
         )
         self.output = NumberField(spec, widest_unit="")
-        self.output.setObjectName(f"output_of_{place}")
-        self.output.setAccessibleName(spec.label)
-        self.output.setToolTip("Output of the device that its actuator is wired to")
+        hint = "Output of the device that its actuator is wired to"
+        named(self.output, f"output_of_{place}", hint=hint)
         fit_to_letters(self.output, _OUTPUT_NUMBER_PX)
         self.tone = tool_button(None, f"tone_of_{place}", "Tone")
         self.widgets: tuple[QtWidgets.QWidget, ...] = (

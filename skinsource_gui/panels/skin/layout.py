@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF
 from skinsource.base.conventions import VOLAR_OUTPUTS, Floats
 from skinsource.design.labels import PALM_SIDE
 from skinsource.limbs.limb import LimbMap
-from skinsource_gui.plots.small_map import bounds_of, hand_bounds, smallest_spacing
+from skinsource_gui.plots.small_map import bounds_of, hand_bounds, outline_of, smallest_spacing
 from skinsource_gui.qt.frames import Frame, fitted
 from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
 
@@ -98,8 +98,7 @@ def fitted_beside_card(
     top = max(_MARGIN_PX, TEXT_LINES * metrics.height())
     inner = room.adjusted(_MARGIN_PX, top, -_MARGIN_PX, -_MARGIN_PX)
     card = palmar_card(limb_map, room, metrics)
-    outline = QtGui.QPainterPath()
-    outline.addPolygon(QtGui.QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
+    outline = outline_of(limb_map)
     rooms = [
         inner.adjusted(0, 0, -share * card.width() * across, -share * card.height() * (not across))
         for share in _MAKES_WAY

@@ -27,11 +27,13 @@ from skinsource_gui.panels.skin.painting import (
     small_font,
 )
 from skinsource_gui.panels.skin.settings import SENSATION, Z, time_text
+from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.outputs import ADDS, REACH_PX, OutputPicker, is_placed, output_at
 from skinsource_gui.plots.small_map import (
     FIXED_MARK,
     bounds_of,
     hand_bounds,
+    outline_of,
     paint_band,
     paint_ring,
 )
@@ -205,8 +207,7 @@ def _side_text(
         phrasings = (" · ".join((side, *parts)), " · ".join(parts), parts[0])
     else:
         phrasings = (side, side.partition(" ")[0])
-    fitting = (phrase for phrase in phrasings if metrics.horizontalAdvance(phrase) <= room_px)
-    return next(fitting, phrasings[-1])
+    return fitting(phrasings, metrics, room_px) or phrasings[-1]
 
 
 def _paint_synthetic_mark(painter: QtGui.QPainter, area: QRectF, theme: Theme) -> float:
@@ -508,7 +509,6 @@ class SkinMap(QtWidgets.QWidget):
         )
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
-        painter.end()
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QtGui.QHelpEvent) and event.type() == QEvent.Type.ToolTip:
@@ -639,8 +639,7 @@ class SkinMap(QtWidgets.QWidget):
         if layout is None or limb_map is None or layout.palmar_card.contains(at):
             return None
         place = layout.frame.to_drawing(at)
-        outline = QtGui.QPolygonF([QPointF(x, y) for x, y in limb_map.outline])
-        return place if outline.containsPoint(QPointF(*place), Qt.FillRule.OddEvenFill) else None
+        return place if outline_of(limb_map).contains(QPointF(*place)) else None
 
     def _point_at_place(self, place: tuple[float, float] | None) -> None:
         self.show_pointed_place(place)

@@ -27,7 +27,7 @@ from skinsource_gui.panels.skin.settings import (
     with_range,
 )
 from skinsource_gui.plots.small_map import COLOURS, offer_arm
-from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.buttons import menu_of, tool_button
 from skinsource_gui.qt.fitting import FoldingRow, fit_to_letters
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.layouts import in_row, named, show_tooltip, tooltip
@@ -73,12 +73,7 @@ class MeasureWord(QtWidgets.QToolButton):
     ) -> None:
         super().__init__(parent)
         named(self, name, title, tooltip(title, hint))
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QtWidgets.QMenu(self)
-        menu.aboutToShow.connect(menu.clear)
-        menu.aboutToShow.connect(partial(fill, menu))
-        self.setMenu(menu)
+        menu_of(self, fill)
         self.setText(_ARROW)
 
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:

@@ -15,12 +15,13 @@ from skinsource_gui.plots.colour_maps import colour_table, is_light, level_colou
 from skinsource_gui.plots.outputs import dorsal_outputs, is_placed
 from skinsource_gui.plots.small_map import (
     bar_length_mm,
+    outline_of,
     paint_dark_strokes,
     paint_ring,
     paint_strokes,
 )
-from skinsource_gui.qt.frames import CachedPicture, UncachedPicture
-from skinsource_gui.qt.theme import Theme, translucent
+from skinsource_gui.qt.frames import CachedPicture
+from skinsource_gui.qt.theme import Theme, scaled, translucent
 
 _INPUT_RING_PX, _DASH, _REACH_PX = 7.5, (3.0, 2.0), 10.0
 
@@ -49,7 +50,6 @@ def paint_marks(
 ) -> None:
     """Draw a dashed ring for each input, and a number at the one that is pointed at."""
     painter.save()
-    painter.setBrush(Qt.BrushStyle.NoBrush)
     for mark in marks:
         centre = _centre(mark, limb_map, layout)
         if centre is None:
@@ -58,12 +58,9 @@ def paint_marks(
         radius = (_INPUT_RING_PX + (1.5 if wide else 0.0)) * layout.unit
         width = (2.4 if wide else 1.6) * layout.unit
         painter.setOpacity(1.0 if mark.audible else 0.45)
-        painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), width + 2.0 * layout.unit))
-        painter.drawEllipse(centre, radius, radius)
         pen = QtGui.QPen(theme.input_colour(mark.colour), width)
         pen.setDashPattern(list(_DASH))
-        painter.setPen(pen)
-        painter.drawEllipse(centre, radius, radius)
+        paint_ring(painter, centre, radius, pen, theme)
         if mark.id == pointed_at:
             _paint_number(painter, mark, centre, radius, layout, theme)
     painter.restore()
@@ -86,7 +83,6 @@ def _paint_number(
     painter.drawRoundedRect(area, 3 * layout.unit, 3 * layout.unit)
     painter.setPen(QtGui.QColor(theme.text))
     painter.drawText(area, Qt.AlignmentFlag.AlignCenter, text)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
 def _centre(mark: InputMark, limb_map: LimbMap, layout: MapLayout) -> QPointF | None:
@@ -312,6 +308,8 @@ def _candidates(
 _OUTPUT_RING_PX, _THIN_PX = 2.2, 1.2
 # A map is at least this many lines of text high, and wide, if a line is larger than the last, px.
 _MAP_LINES, _MAP_WIDTH_LINES, _USUAL_PX = 12.0, 9.0, 18.0
+# Size of letters of labels, in those of messages.
+_OF_LABELS = 0.86
 _HINTS = QtGui.QPainter.RenderHint.Antialiasing | QtGui.QPainter.RenderHint.SmoothPixmapTransform
 
 
@@ -322,25 +320,18 @@ class MapPainter:
     ----------
     limb_map
         Outline and places.
-    picture_type
-        `CachedPicture` on the screen, `UncachedPicture` for pages and files.
     """
 
-    def __init__(
-        self, limb_map: LimbMap, picture_type: type[CachedPicture | UncachedPicture] = CachedPicture
-    ) -> None:
-        self._limb_map, self._outline = limb_map, QtGui.QPainterPath()
-        self._outline.addPolygon(QtGui.QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
-        self._outline.closeSubpath()
-        self._picture_type = picture_type
+    def __init__(self, limb_map: LimbMap) -> None:
+        self._limb_map = limb_map
         self._layout: MapLayout | None = None
         self._screen_outline, self._bar_card = QtGui.QPainterPath(), QRectF()
         self._about_bar: tuple[float, QtGui.QFont] | None = None
         self._forget_pictures()
 
     def _forget_pictures(self) -> None:
-        self._still, self._numbers = self._picture_type(), self._picture_type()
-        self._marks, self._about_bar = self._picture_type(), None
+        self._still, self._numbers = CachedPicture(), CachedPicture()
+        self._marks, self._about_bar = CachedPicture(), None
 
     def paint(
         self,
@@ -353,13 +344,14 @@ class MapPainter:
         """Draw ``content``, and the input that is ``pointed_at``; the font is that of labels."""
         if layout is not self._layout:
             self._layout = layout
-            self._screen_outline = layout.frame.transform().map(self._outline)
+            self._screen_outline = layout.frame.transform().map(outline_of(self._limb_map))
             self._forget_pictures()
         painter.setRenderHints(_HINTS)
         self._paint_ground(painter, content, layout, theme)
         self._paint_still(painter, content, layout, theme)
         if content.shown_field is None:
-            self._paint_discs(painter, content, layout, theme)
+            dorsal = dorsal_outputs(layout.points, layout.unplaced)
+            _paint_discs(painter, dorsal, layout.disc_radius, content, layout, theme)
             _paint_palm_ground(painter, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
         about_bar = content.px_per_mm, painter.font()
@@ -428,26 +420,11 @@ class MapPainter:
         key = (theme.name, *shown, content.shown_field is None, self._bar_card.getRect())
         self._marks.paint(painter, layout.room, key, paint)
 
-    def _paint_discs(
-        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
-    ) -> None:
-        painter.setPen(QtGui.QPen(QtGui.QColor(theme.skin_line), 1))
-        dorsal = dorsal_outputs(layout.points, layout.unplaced)
-        fills = self._fills(dorsal, content, theme)
-        radius = layout.disc_radius
-        for number, fill in zip(dorsal, fills, strict=True):
-            painter.setBrush(fill)
-            painter.drawEllipse(QPointF(*layout.points[number - 1]), radius, radius)
-
     def _paint_palmar(
         self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         radius = layout.palmar_radius
-        fills = self._fills(layout.unplaced, content, theme)
-        painter.setPen(QtGui.QPen(QtGui.QColor(theme.skin_line), 1))
-        for number, fill in zip(layout.unplaced, fills, strict=True):
-            painter.setBrush(fill)
-            painter.drawEllipse(QPointF(*layout.points[number - 1]), radius, radius)
+        fills = _paint_discs(painter, layout.unplaced, radius, content, layout, theme)
         inks = tuple("black" if is_light(fill) else "white" for fill in fills)
 
         def paint(on_image: QtGui.QPainter) -> None:
@@ -459,15 +436,25 @@ class MapPainter:
         card = QRectF(layout.palmar_card.toAlignedRect())
         self._numbers.paint(painter, card, inks, paint)
 
-    def _fills(
-        self, outputs: Sequence[int], content: MapContent, theme: Theme
-    ) -> list[QtGui.QColor]:
-        """Return the colour of each of ``outputs``."""
-        levels = content.coloured_values
-        if levels is None:
-            return [QtGui.QColor(theme.base)] * len(outputs)
+
+def _paint_discs(
+    painter: QtGui.QPainter,
+    outputs: Sequence[int],
+    radius: float,
+    content: MapContent,
+    layout: MapLayout,
+    theme: Theme,
+) -> list[QtGui.QColor]:
+    """Paint discs at outputs, and return the colour of each."""
+    levels, fills = content.coloured_values, [QtGui.QColor(theme.base)] * len(outputs)
+    if levels is not None:
         table = colour_table(content.colours)
-        return level_colours(levels[np.array(outputs, int) - 1], content.value_range, table)
+        fills = level_colours(levels[np.array(outputs, int) - 1], content.value_range, table)
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.skin_line), 1))
+    for number, fill in zip(outputs, fills, strict=True):
+        painter.setBrush(fill)
+        painter.drawEllipse(QPointF(*layout.points[number - 1]), radius, radius)
+    return fills
 
 
 def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:
@@ -501,17 +488,12 @@ def letters_for(font: QtGui.QFont, room: QRectF) -> QtGui.QFont:
     """
     line = QtGui.QFontMetricsF(font).height()
     most = max(min(room.height() / _MAP_LINES, room.width() / _MAP_WIDTH_LINES), _USUAL_PX)
-    return font if line <= most else small_font(font, most / line)
+    return font if line <= most else scaled(font, most / line)
 
 
-def small_font(font: QtGui.QFont, factor: float = 0.86) -> QtGui.QFont:
-    """Return copy of ``font`` for labels."""
-    copy = QtGui.QFont(font)
-    if font.pixelSize() > 0:
-        copy.setPixelSize(max(round(font.pixelSize() * factor), 8))
-    else:
-        copy.setPointSizeF(font.pointSizeF() * factor)
-    return copy
+def small_font(font: QtGui.QFont) -> QtGui.QFont:
+    """Return a copy of ``font`` for labels."""
+    return scaled(font, _OF_LABELS)
 
 
 def _paint_palm_ground(painter: QtGui.QPainter, layout: MapLayout, theme: Theme) -> None:

@@ -51,7 +51,7 @@ from skinsource_gui.panels.skin.settings import (
     with_range,
 )
 from skinsource_gui.panels.skin.time import ScrubBar
-from skinsource_gui.plots.pictures import with_caption
+from skinsource_gui.plots.pictures import drawn_image, with_caption
 from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import key_text
@@ -74,12 +74,10 @@ _SOURCE_IN_SHORT = "Made from files that are not the published ones", "Not the p
 
 
 def _line(name: str, title: str, parent: QtWidgets.QWidget) -> FittingLabel:
-    """Return a line of text that takes any width."""
+    """Return a line of text with digits of one width."""
     line = FittingLabel(parent)
     named(line, name, title)
-    line.setAlignment(Qt.AlignmentFlag.AlignLeft)
     line.setFont(tabular(line.font()))
-    line.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
     return line
 
 
@@ -121,14 +119,12 @@ class SkinPanel(Panel):
         self._block = 0
         self.content = MapContent()
         # The Tab key goes through them in this order.
-        self.measure, self.map = MeasureLine(self), SkinMap(self)
-        self.colour_bar, self.scrub = ColourBar(self), ScrubBar(self)
+        self.measure, self.map = MeasureLine(self), named(SkinMap(self), "skin_map")
+        self.colour_bar, self.scrub = named(ColourBar(self), "skin_colour_bar"), ScrubBar(self)
         self.note = _line("skin_note", "Note on the map", self)
         self.readout = _line("skin_readout", "Under the pointer", self)
         self.strongest = FixedLabel("−888.8 dB", self)
         set_tone(self.note, "warning")
-        self.map.setObjectName("skin_map")
-        self.colour_bar.setObjectName("skin_colour_bar")
         foot = in_row((self.readout, 1), self.strongest, margins=0)
         parts = self.measure, (self.map, 1), self.colour_bar, self.scrub, self.note, foot
         edges = UNIT_PX, UNIT_PX // 4, UNIT_PX, UNIT_PX // 4
@@ -273,15 +269,10 @@ class SkinPanel(Panel):
         family, visible = self.font().family(), self.map.stage.visible
         paint_picture(painter, QSizeF(width, height), content, heading, theme, family, visible)
 
-    def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QtGui.QImage:
+    def picture(self, width: int, height: int) -> QtGui.QImage:
         """Return `draw_picture` as pixels, with the caption that the window gives."""
-        image = QtGui.QImage(width, height, QtGui.QImage.Format.Format_RGB32)
         with self.as_stored():
-            painter = QtGui.QPainter(image)
-            draw = with_caption(self.draw_picture, self.caption())
-            draw(painter, width, height, theme)
-            painter.end()
-        return image
+            return drawn_image(with_caption(self.draw_picture, self.caption()), width, height)
 
     def _show(self) -> None:
         """Show what is known as design, view and settings ask for."""

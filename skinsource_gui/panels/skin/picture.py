@@ -17,8 +17,7 @@ from skinsource_gui.panels.skin.painting import MapPainter, small_font
 from skinsource_gui.panels.skin.scale import scale_of
 from skinsource_gui.panels.skin.settings import PEOPLE, SENSATION, MapQuantity
 from skinsource_gui.plots.small_map import paint_scale_row, scale_row_px
-from skinsource_gui.qt.frames import UncachedPicture
-from skinsource_gui.qt.theme import Theme, tabular
+from skinsource_gui.qt.theme import Theme, on_paper, scaled, tabular
 
 #: What strokes over a map mean.
 HATCHED = f"hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
@@ -123,8 +122,8 @@ def _paint_heading(
     top = inner.top()
     for text, usual, colour in (
         (heading.title, title_font, theme.text),
-        (heading.details, small_font(font, _DETAILS), theme.dim),
-        (heading.note, small_font(font, _DETAILS), theme.warning),
+        (heading.details, scaled(font, _DETAILS), theme.dim),
+        (heading.note, scaled(font, _DETAILS), theme.warning),
     ):
         if not text:
             continue
@@ -148,10 +147,10 @@ def _paint_map(
     metrics = QtGui.QFontMetricsF(painter.font())
     frame = visible.frame_in(limb_map, room, metrics)
     layout = map_layout(limb_map, frame, room, metrics)
-    map_painter = MapPainter(limb_map, UncachedPicture)
     painter.save()
     # Magnified, the map would lie on heading and scale.
     # (On a fraction of a pixel, clipped paths would leave a line.)
     painter.setClipRect(QRectF(room.toAlignedRect()), Qt.ClipOperation.IntersectClip)
-    map_painter.paint(painter, content, layout, theme)
+    with on_paper():
+        MapPainter(limb_map).paint(painter, content, layout, theme)
     painter.restore()

@@ -145,7 +145,6 @@ class ColourStrip(QtWidgets.QWidget):
         painter.setBrush(QtGui.QColor(theme.raised))
         for x in (ramp.left(), ramp.right()):
             painter.drawRoundedRect(QRectF(x - 3, ramp.top() - 2, 6, _RAMP_PX + 4), 2, 2)
-        painter.end()
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
@@ -234,15 +233,14 @@ class ColourBar(QtWidgets.QWidget):
         )
         self.strip.range_chosen.connect(self.range_chosen)
         choose = self.range_chosen.emit
-        self.low_field.edited.connect(lambda low, _: choose(pushed_low(self.value_range, low)))
-        self.high_field.edited.connect(lambda high, _: choose(pushed_high(self.value_range, high)))
+        self.low_field.edited.connect(
+            lambda low, _: choose(pushed_low(self.strip.value_range, low))
+        )
+        self.high_field.edited.connect(
+            lambda high, _: choose(pushed_high(self.strip.value_range, high))
+        )
         self.limit_field.edited.connect(lambda limit, _: choose((-limit, limit)))
         self._fit()
-
-    @property
-    def value_range(self) -> LevelRange:
-        """Values of the lowest and the highest colour."""
-        return self.strip.value_range
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

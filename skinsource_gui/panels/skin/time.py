@@ -1,8 +1,7 @@
 """The skin map in time: how slowly it runs, and the controls for playhead and speed."""
 
-from collections.abc import Iterator
 from dataclasses import replace
-from itertools import count as counted
+from itertools import count
 
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
@@ -32,12 +31,9 @@ def slow_down_factor(view: View, settings: SkinSettings, per_s: int, limb: LimbF
     needed = 2.0 * fastest_hz[settings.quantity] / per_s
     if view.slow_motion >= needed:
         return view.slow_motion
-    return next(pace for pace in _paces() if pace >= needed)
-
-
-def _paces() -> Iterator[float]:
-    """Return the endless series 1, 2, 5, 10, 20, 50 and so on."""
-    return (digit * 10.0**power for power in counted() for digit in (1.0, 2.0, 5.0))
+    # The endless series 1, 2, 5, 10, 20, 50 and so on.
+    paces = (digit * 10.0**power for power in count() for digit in (1.0, 2.0, 5.0))
+    return next(pace for pace in paces if pace >= needed)
 
 
 PACE = ChoiceSpec(
@@ -75,8 +71,7 @@ class ScrubBar(QtWidgets.QWidget):
         self.time.setFont(tabular(self.time.font()))
         self.time.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         options = ("0", "Automatic"), *PACE.options, ("500", "1/500"), ("1000", "1/1000")
-        self.pace = ChoiceField(replace(PACE, options=options), self)
-        self.pace.setObjectName("skin_pace")
+        self.pace = named(ChoiceField(replace(PACE, options=options), self), "skin_pace")
         self.pace.setMinimumContentsLength(5)
         row = self.play, (self.slider, 1), self.time, self.pace
         in_row(*row, of=self, margins=0, gap_px=UNIT_PX // 2)

@@ -314,7 +314,7 @@ class SpectraPanel(SignalPanel):
         axis = self._log_axis if settings.log_frequency else self._axis
         stacked = settings.layout != "overlaid"
         axis = _visible_axis(axis, settings.frequency_range_hz)
-        self._plot.set_view(axis, settings.frequency_range_hz, stacked=stacked)
+        self._plot.plot.set_view(axis, settings.frequency_range_hz, stacked=stacked)
 
     def _draw(self, results: Mapping[str, Any]) -> None:
         settings = self.settings

@@ -43,7 +43,7 @@ from skinsource_gui.plots.small_map import LEAST_MAP_PX, map_grid, paint_rings, 
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
 from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.labels import RowTable
-from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
+from skinsource_gui.qt.layouts import Policy, in_column, in_row, named, tooltip
 from skinsource_gui.qt.resources import columns_of
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.aiming import Found, FoundPanel, Person
@@ -94,8 +94,7 @@ class WaysTable(RowTable):
     def __init__(self) -> None:
         super().__init__("target_ways", "Ways to the target", COLUMNS, wide=())
         self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.NoSelection)
-        policy = QtWidgets.QSizePolicy.Policy
-        self.setSizePolicy(policy.Expanding, policy.Fixed)
+        self.setSizePolicy(Policy.Expanding, Policy.Fixed)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
@@ -160,7 +159,6 @@ class PeopleMaps(QtWidgets.QWidget):
             head = QRectF(cell.left(), cell.top(), cell.width(), 2.0 * line)
             text = head_text(each, metrics, cell.width() - line)
             painter.drawText(head, Qt.AlignmentFlag.AlignCenter, text)
-        painter.end()
 
 
 def head_text(person: Person, metrics: QtGui.QFontMetricsF, room_px: float) -> str:

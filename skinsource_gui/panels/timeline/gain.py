@@ -16,7 +16,8 @@ from skinsource_gui.panels.timeline.content import (
     show_gain_curves,
 )
 from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Modifier, MoveGain
-from skinsource_gui.panels.timeline.painting import LaneLayer, paint_silence_reason
+from skinsource_gui.panels.timeline.painting import paint_silence_reason
+from skinsource_gui.plots.plot import CanvasItem
 from skinsource_gui.qt.keys import arrow_steps, meaning_of
 from skinsource_gui.qt.theme import current_theme, translucent
 
@@ -29,13 +30,14 @@ _HALO_ALPHA, _HINT_ALPHA = 190, 110
 HINT = "Gain curve: double-click the line to add a point"
 
 
-class GainItem(LaneLayer):
+class GainItem(CanvasItem):
     """Paints gain curves: those that are edited with their points, others as a thin line."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
         self.setZValue(0.5)
+        self._content: TimelineContent | None = None
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 
 from skinsource.design import edits
 from skinsource.design.clips import Marker
-from skinsource.design.design import Design, View
+from skinsource.design.design import Design
 from skinsource.design.display_units import value_text
 from skinsource.design.edits.clips import SAME_S
 from skinsource.design.edits.cutting import faded_ends
@@ -79,11 +79,6 @@ class GestureContext:
         return self.lanes.content
 
     @property
-    def view(self) -> View:
-        """The present view."""
-        return self.lanes.content.view
-
-    @property
     def disturbed(self) -> bool:
         """Whether something else has changed the design since the button went down."""
         now, expected = self.now.design, self.applied or self.before.design
@@ -94,7 +89,7 @@ class GestureContext:
         if self.disturbed:
             self.lanes.mouse.cancel()
             return
-        outcome = edit(self.before.design, self.view, *more)
+        outcome = edit(self.before.design, self.now.view, *more)
         self.lanes.edited.emit(outcome, self.number)
         if isinstance(outcome, Edit):
             # A motion that was edited by hand has become single clips.
@@ -230,7 +225,7 @@ class Marquee(Gesture):
         view = self._context.before.view
         self._context.lanes.view_changed.emit(
             replace(
-                self._context.view,
+                self._context.now.view,
                 selected_clips=view.selected_clips,
                 selected_inputs=view.selected_inputs,
             )
@@ -441,11 +436,11 @@ class Pan(Gesture):
         before = self._context.before
         by_s = (self._at.x() - at.x()) / before.scale.px_per_s
         shown = panned(before.scale.shown_s, by_s, before.lengths.whole_s)
-        self._context.lanes.view_changed.emit(replace(self._context.view, time_range_s=shown))
+        self._context.lanes.view_changed.emit(replace(self._context.now.view, time_range_s=shown))
         return GesturePreview()
 
     def cancel(self) -> None:
-        view = self._context.view
+        view = self._context.now.view
         range_s = self._context.before.view.time_range_s
         self._context.lanes.view_changed.emit(replace(view, time_range_s=range_s))
 

@@ -53,6 +53,7 @@ from skinsource_gui.panels.timeline.content import shown_gain_curves, toggle_gai
 from skinsource_gui.qt.buttons import paint_swatch, passing_menu, text_colour_on
 from skinsource_gui.qt.frames import drop_line
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import Theme, current_theme
 from skinsource_gui.qt.wheel import NOTCH
 
@@ -476,8 +477,7 @@ class Heads(QtWidgets.QListView):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setObjectName("input_rows")
-        self.setAccessibleName("Inputs")
+        named(self, "input_rows", "Inputs")
         self.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
         self.setSelectionMode(self.SelectionMode.ExtendedSelection)
         self.setEditTriggers(self.EditTrigger.NoEditTriggers)

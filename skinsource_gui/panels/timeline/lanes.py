@@ -45,7 +45,8 @@ from skinsource_gui.panels.timeline.content import (
 from skinsource_gui.panels.timeline.gain import GainItem, GainPoints
 from skinsource_gui.panels.timeline.painting import LanesItem, OverlayItem, PlayheadItem
 from skinsource_gui.plots.plot import PLAYHEAD, Canvas, moved_playhead
-from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
+from skinsource_gui.plots.ranges import within
+from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, zoomed
 from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import DropPlace
@@ -672,10 +673,6 @@ class LanesView(Canvas):
     def toggle_gain(self, *tracks: int) -> None:
         """Show the gain curves of tracks, or hide them."""
         self.look(toggle_gain_curves(self.content.design, self.content.view, tracks))
-
-    def set_snaps(self, snaps: bool) -> None:
-        """Set whether edges snap."""
-        self.change(snaps=snaps)
 
     def zoom(self, factor: float) -> None:
         """See a part so many times narrower: around the playhead, or the middle."""

@@ -7,7 +7,6 @@ from collections.abc import Hashable, Sequence
 from math import inf
 from typing import Any
 
-import pyqtgraph
 from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 
@@ -15,6 +14,7 @@ from skinsource.base.conventions import Floats
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.timeline.content import MARGIN_PX, Box, Lane, TimelineContent, clip_name
 from skinsource_gui.panels.timeline.gestures import GesturePreview
+from skinsource_gui.plots.plot import CanvasItem
 from skinsource_gui.plots.preview import ClipPictures, ClipStyle
 from skinsource_gui.plots.ranges import Tick, linear_ticks
 from skinsource_gui.plots.small_map import paint_band
@@ -319,32 +319,6 @@ _INSIDE_PX = MARGIN_PX - 1.0
 _OVERLAP_PX, _OVERLAP_ALPHA, _TINT_ALPHA = 4.0, 190, 18
 
 
-class LaneLayer(pyqtgraph.GraphicsObject):
-    """One layer of the lanes: an item of the scene with its content, rectangle and font."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._content: TimelineContent | None = None
-        self._font = QtGui.QFont()
-        self._rect = QRectF(0, 0, 1, 1)
-
-    def show_font(self, font: QtGui.QFont) -> None:
-        """Take over a font."""
-        self._font = font
-        self.update()
-
-    def boundingRect(self) -> QRectF:
-        return self._rect
-
-    def _set_rect(self, rect: QRectF) -> bool:
-        """Take over a rectangle; return whether it is another one."""
-        changed = rect != self._rect
-        if changed:
-            self.prepareGeometryChange()
-            self._rect = rect
-        return changed
-
-
 def paint_silence_reason(painter: QtGui.QPainter, lane: Lane, strip: QRectF) -> float:
     """Write why a lane is silent at the right end of its strip; return where what is free ends."""
     if not lane.silent:
@@ -359,16 +333,11 @@ def paint_silence_reason(painter: QtGui.QPainter, lane: Lane, strip: QRectF) -> 
     return left
 
 
-class LanesItem(LaneLayer):
+class LanesItem(CanvasItem):
     """Paints lanes, clips and ruler.
 
     It is cached as a picture, over which the playhead and the overlay move. Only lanes that look
     different are painted into it again.
-
-    Attributes
-    ----------
-    painted, painted_lanes
-        How often it was painted, and how many lanes in all.
     """
 
     def __init__(self) -> None:
@@ -377,7 +346,7 @@ class LanesItem(LaneLayer):
         # Told what is to be painted, it paints no more.
         self.setFlag(self.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.pictures = ClipPictures()
-        self.painted = self.painted_lanes = 0
+        self._content: TimelineContent | None = None
         self._hovered: int | None = None
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
@@ -404,7 +373,6 @@ class LanesItem(LaneLayer):
         content = self._content
         if content is None:
             return
-        self.painted += 1
         painter.setFont(self._font)
         rect, exposed = self._rect, option.exposedRect
         lanes = QRectF(
@@ -423,7 +391,6 @@ class LanesItem(LaneLayer):
             self._paint_clips(painter, content, lane, lanes)
             self._paint_overlaps(painter, content, lane)
             paint_silence_reason(painter, lane, self._strip(lane))
-        self.painted_lanes += len(shown)
         painter.restore()
         ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
         if ruler.intersects(exposed):
@@ -500,12 +467,13 @@ class LanesItem(LaneLayer):
 _LABEL_GAP_PX = 8.0
 
 
-class OverlayItem(LaneLayer):
+class OverlayItem(CanvasItem):
     """Paints guide, marquee and label of a gesture; the lanes below are not painted again."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setZValue(2)
+        self._content: TimelineContent | None = None
         self.preview, self._pointer = GesturePreview(), QPointF()
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
@@ -562,41 +530,27 @@ class OverlayItem(LaneLayer):
 _HALF_PX, _PLAYHEAD_HANDLE_PX = 5.0, 8.0
 
 
-class PlayheadItem(pyqtgraph.GraphicsObject):
-    """A line with a handle; the lanes below are not painted again when it moves.
-
-    Attributes
-    ----------
-    moved
-        How often it was moved.
-    """
+class PlayheadItem(CanvasItem):
+    """A line with a handle; the lanes below are not painted again when it moves."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.moved = 0
-        self._height = 1.0
         self.setZValue(1)
 
     def show_content(self, content: TimelineContent, height_px: float) -> None:
         """Move to the time of the playhead; reach from the ruler down to a height."""
         height = max(height_px - content.ruler_px + _PLAYHEAD_HANDLE_PX, 1.0)
-        if height != self._height:
-            self.prepareGeometryChange()
-            self._height = height
+        self._set_rect(QRectF(-_HALF_PX - 1, -3, 2 * _HALF_PX + 2, height + 3))
         at = QPointF(
             content.scale.x(content.view.playhead_s), content.ruler_px - _PLAYHEAD_HANDLE_PX
         )
         if at != self.pos():
-            self.moved += 1
             self.setPos(at)
-
-    def boundingRect(self) -> QRectF:
-        return QRectF(-_HALF_PX - 1, -3, 2 * _HALF_PX + 2, self._height + 3)
 
     def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         colour = QtGui.QColor(current_theme().error)
         painter.setPen(QtGui.QPen(colour, 1))
-        painter.drawLine(QLineF(0, 0, 0, self._height))
+        painter.drawLine(QLineF(0, 0, 0, self._rect.bottom()))
         painter.setBrush(colour)
         corners = (QPointF(-_HALF_PX, -2), QPointF(_HALF_PX, -2), QPointF(0, 6))
         painter.drawPolygon(QtGui.QPolygonF(corners))

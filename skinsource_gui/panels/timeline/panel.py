@@ -322,7 +322,7 @@ class TimelinePanel(Panel):
         tools.track_requested.connect(lambda: lanes.edit(add_track))
         for adds in (tools.add_requested, tools.track_requested):
             adds.connect(self.lanes.setFocus)
-        tools.snap.clicked.connect(lanes.set_snaps)
+        tools.snap.clicked.connect(lambda snaps: lanes.change(snaps=snaps))
         tools.zoom_requested.connect(lanes.zoom)
         tools.everything.clicked.connect(lanes.show_everything)
         self._time_bar.range_requested.connect(lanes.show_range)

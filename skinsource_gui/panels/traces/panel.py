@@ -139,7 +139,7 @@ class TracesPanel(SignalPanel):
         self._apply_view()
         self._results = dict(results) if results["outputs"] else None
         if self._results is None:
-            self._plot.show_message(self.no_outputs)
+            self._plot.plot.show_message(self.no_outputs)
         else:
             self._draw(self._results)
 
@@ -174,7 +174,7 @@ class TracesPanel(SignalPanel):
         elif self._drawn_removed:
             axis = replace(axis, extent=(begin_s, self._end_s))
         stacked, fitted = self.settings.layout == "stacked", self.settings.fitted
-        self._plot.set_view(axis, view.time_range_s, stacked=stacked, fitted=fitted)
+        self._plot.plot.set_view(axis, view.time_range_s, stacked=stacked, fitted=fitted)
 
     def _show_pre_trigger(self, shown: bool) -> None:
         self.edited.emit(edits.remove_delay(self._design, self._view, not shown), None)

@@ -374,7 +374,7 @@ def test_the_switches_compute_no_prediction_and_are_about_strengths(show, reques
         assert panel.picture.diagrams is not before
         drawn = panel._drawn[-len(STRENGTHS) :]
         assert all(trace is other for trace, other in zip(traces, drawn, strict=True))
-    assert not any("snapshot" in request.slot.name for request in requests)
+    assert not any("snapshot" in request.slot for request in requests)
     window.document.look(replace(window.document.view, snapshots=snapshots_of(*PARTS)))
     window.document.edit("Both", PARTS[2])
     qtbot.waitUntil(lambda: len(panel.picture.diagrams) == 2, timeout=30_000)

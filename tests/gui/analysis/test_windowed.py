@@ -11,8 +11,6 @@ from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource_gui.panels.analysis import windowed
 from skinsource_gui.panels.analysis.windowed import (
-    CURVES,
-    curve_names,
     least_height,
     strip_layout,
     window_titles,
@@ -124,21 +122,6 @@ def bounds_s(count, length_s=0.05):
     return [(k * length_s, (k + 1) * length_s) for k in range(count)]
 
 
-def cells(count, width, columns=None):
-    columns = columns or count
-    return [QRectF(width * (k % columns), 90.0 * (k // columns), width, 90.0) for k in range(count)]
-
-
-def test_above_each_map_stands_when_its_window_begins():
-    assert window_titles(bounds_s(3), cells(3, 40.0), width_of) == ("0", "50", "100")
-
-
-def test_where_begins_have_no_room_each_second_or_third_of_a_row_has_one():
-    assert window_titles(bounds_s(5), cells(5, 20.0), width_of) == ("0", "", "100", "", "200")
-    rows = window_titles(bounds_s(8), cells(8, 12.0, columns=4), width_of)
-    assert rows == ("0", "", "", "150", "200", "", "", "350")
-
-
 @pytest.mark.parametrize("count", [1, 5, 24, 60])
 @pytest.mark.parametrize("width", [240.0, 1300.0])
 def test_neither_two_maps_nor_two_times_lie_on_each_other(count, width):
@@ -224,8 +207,3 @@ def test_in_the_largest_letters_windows_are_drawn_and_the_rest_scrolls(
     assert_apart(strip.places, strip.fontMetrics().height())
     assert strip.places.plot.bottom() <= strip.height()
     assert dock.widget().verticalScrollBar().maximum() > 0
-
-
-def test_names_of_curves_are_as_long_as_they_fit():
-    for room, names in ((500.0, ("mean distance", "90 % of the energy within")), (9.0, CURVES[1])):
-        assert curve_names(room, lambda text: 10.0 * len(text), 20.0) == names

@@ -39,7 +39,7 @@ def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch)
 
     def ask(*_):
         tools.append((tone.canvas.tool, tone.panel._toolbar.tools["look"].isChecked()))
-        return QMessageBox.StandardButton.Ok
+        return QMessageBox.StandardButton.Yes
 
     monkeypatch.setattr(QMessageBox, "question", ask)
     tone.panel.use("envelope")
@@ -203,7 +203,7 @@ def test_a_stroke_stays_within_one_and_escape_takes_it_back(flat):
 def test_a_tone_becomes_samples_after_one_question(tone, answers):
     tone.panel.use("pen")
     assert tone.canvas.tool is tone.panel._tools["look"]
-    answers["question"] = QMessageBox.StandardButton.Ok
+    answers["question"] = QMessageBox.StandardButton.Yes
     tone.panel.use("pen")
     assert tone.canvas.tool is tone.panel._tools["pen"]
     tone.drag((0.05, 0.0), (0.06, 0.0))
@@ -217,7 +217,7 @@ def test_a_tone_becomes_samples_after_one_question(tone, answers):
 
 @pytest.fixture
 def questions(answers):
-    answers["question"] = QMessageBox.StandardButton.Ok
+    answers["question"] = QMessageBox.StandardButton.Yes
     return answers["asked"]
 
 

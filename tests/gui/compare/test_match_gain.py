@@ -12,6 +12,7 @@ from skinsource import Design, open_design, track
 from skinsource.design.comparing import match_text
 from skinsource.design.design import louder
 from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource_gui.pages.files import exports
 from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.panels.compare.card import card_level_text
 from skinsource_gui.panels.compare.content import of_differences, of_spread
@@ -116,7 +117,7 @@ def test_tables_hold_the_design_as_it_is_stored_and_say_so(
     window, settle, matched, tmp_path, monkeypatch, qtbot
 ):
     path = tmp_path / "levels.csv"
-    monkeypatch.setattr(window.files, "ask_where", lambda *_, **__: path)
+    monkeypatch.setattr(exports, "ask_save", lambda *_: path)
     messages = []
     window.files.done.connect(messages.append)
     export(window, "levels")

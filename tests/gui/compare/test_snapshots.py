@@ -42,7 +42,7 @@ def panel(window, active, settle):
 
 
 def names_of(requests):
-    return [request.slot.name for request in requests]
+    return [request.slot for request in requests]
 
 
 def test_keys_store_show_and_toggle_and_arrangements_have_moved(window, active, settle):

@@ -61,7 +61,7 @@ def test_the_tooltip_names_place_contact_and_inputs(studio):
     QToolTip.hideText()
     # What the cursor reaches is announced.
     studio.put(track(location=7), selected=4)
-    assert studio.diagram.state.selected is None
+    assert studio.diagram.stage.state.selected is None
     studio.keys(KEY.Key_7)
     text = studio.diagram.accessibleDescription()
     assert text.startswith("Place 7 · Digit II, pad. perpendicular")
@@ -247,14 +247,14 @@ def test_a_place_under_the_pointer_is_marked_on_hand_and_skin(studio, limb, mirr
     for site in (16, 3, 20):
         QTest.mouseMove(studio.diagram, studio.diagram.site_centre(site))
         assert told[-1] == pytest.approx(tuple(limb_data.map.input_positions[site - 1]), abs=1e-6)
-        assert studio.diagram.state.ring is None
+        assert studio.diagram.stage.state.ring is None
     for site in (8, 16, 20):
         studio.panel.show_pointed_place(tuple(limb_data.map.input_positions[site - 1]))
-        drawing, ring = studio.diagram.stage.drawing, studio.diagram.state.ring
+        drawing, ring = studio.diagram.stage.drawing, studio.diagram.stage.state.ring
         assert np.allclose(ring, drawing.sites[site - 1], atol=1e-6)
     QTest.mouseMove(studio.diagram, QPoint(2, studio.diagram.height() - 2))
     assert told[-1] is None
-    assert studio.diagram.state.ring is None
+    assert studio.diagram.stage.state.ring is None
 
 
 def test_between_places_the_ring_is_where_the_pointer_is(studio):
@@ -264,7 +264,7 @@ def test_between_places_the_ring_is_where_the_pointer_is(studio):
     layout = studio.diagram.stage.layout
     between = (layout.centre(18) + layout.centre(20)) / 2.0
     QTest.mouseMove(studio.diagram, between.toPoint())
-    at = QPointF(*studio.diagram.state.ring)
+    at = QPointF(*studio.diagram.stage.state.ring)
     assert (layout.transform.map(at) - between).manhattanLength() < 2.0
     positions = limb_data.map.input_positions
     assert told[-1] == pytest.approx(tuple((positions[17] + positions[19]) / 2.0), abs=12.0)
@@ -293,10 +293,10 @@ def test_the_place_under_the_pointer_is_marked_on_the_other_drawing_and_read(ope
     positions = skin.map.content.limb_map.input_positions
     [palm] = skin.map.stage.layout.frame.to_screen(positions[15:16])
     QTest.mouseMove(skin.map, QPointF(*palm).toPoint())
-    ring = hand.stage.layout.transform.map(QPointF(*hand.state.ring))
+    ring = hand.stage.layout.transform.map(QPointF(*hand.stage.state.ring))
     assert (ring - hand.stage.layout.centre(16)).manhattanLength() < 3.0
     QTest.mouseMove(skin.map, QPoint(2, skin.map.height() // 2))
-    assert hand.state.ring is None
+    assert hand.stage.state.ring is None
     QTest.mouseMove(hand, hand.site_centre(16))
     assert np.allclose(skin.map.ring, positions[15])
     assert skin.readout.toolTip().startswith("−")

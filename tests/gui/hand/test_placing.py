@@ -52,7 +52,7 @@ def test_shift_or_control_adds_a_site_to_the_selected_ones_or_takes_it_out(studi
     studio.click(9, modifier)
     assert studio.sites == [3, 7, 9]
     assert studio.view.selected_inputs == (1, 2, 3)
-    assert [mark.chosen for mark in studio.diagram.state.marks] == [True] * 3
+    assert [mark.chosen for mark in studio.diagram.stage.state.marks] == [True] * 3
     studio.click(7, modifier)
     assert studio.view.selected_inputs == (1, 3)
     studio.click(9, CONTROL | SHIFT)
@@ -74,7 +74,7 @@ def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio):
     studio.keys(KEY.Key_3)
     studio.menu(3, KEYBOARD)["Mute"].trigger()
     assert studio.view.selected_input == 2
-    assert studio.diagram.state.marks[1].silent
+    assert studio.diagram.stage.state.marks[1].silent
     actions = studio.menu(3)
     assert actions["Mute"].isChecked()
     actions["Solo"].trigger()
@@ -97,11 +97,11 @@ def test_a_drag_moves_the_input_live_in_one_gesture(studio):
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(16))
     assert studio.sites == [7, 16]
-    assert studio.diagram.state.moving == 1
+    assert studio.diagram.stage.state.moving == 1
     studio.drag_to(studio.diagram.site_centre(13))
     assert studio.sites == [7, 13]
     studio.release(studio.diagram.site_centre(13))
-    assert studio.diagram.state.moving is None
+    assert studio.diagram.stage.state.moving is None
     assert studio.view.selected_input == 2
     assert [label for label, _, _ in studio.edits] == [
         f"Move input to 16 ({short(16)})",
@@ -127,7 +127,7 @@ def test_a_drag_that_is_given_up_restores_the_design(studio, end):
         studio.drag_to(away)
         studio.release(away)
     assert studio.design == before
-    assert studio.diagram.state.ghost is None
+    assert studio.diagram.stage.state.ghost is None
     assert len({gesture for _, _, gesture in studio.edits}) == 1
 
 
@@ -141,7 +141,7 @@ def test_a_drag_ends_when_its_input_is_taken_away_or_moved(studio, tracks):
     studio.drag_to(studio.diagram.site_centre(8))
     studio.release(studio.diagram.site_centre(8))
     assert len(studio.edits) == edits
-    assert studio.diagram.state.moving is None
+    assert studio.diagram.stage.state.moving is None
 
 
 def test_a_shaky_click_is_no_drag(studio):
@@ -158,9 +158,9 @@ def test_the_cursor_is_on_the_selected_input_once_tab_reaches_the_diagram(studio
     with qtbot.waitActive(studio.panel):
         studio.panel.activateWindow()
     studio.diagram.clearFocus()
-    assert studio.diagram.state.cursor is None
+    assert studio.diagram.stage.state.cursor is None
     studio.diagram.setFocus(Qt.FocusReason.TabFocusReason)
-    assert studio.diagram.state.cursor == 13
+    assert studio.diagram.stage.state.cursor == 13
 
 
 def test_arrow_keys_reach_every_site_from_every_site(studio):
@@ -189,7 +189,7 @@ def test_arrow_keys_reach_every_site_from_every_site(studio):
 def test_keys_go_where_they_point(studio, keys, sites):
     for key, site in zip(keys, sites, strict=True):
         studio.keys(key)
-        assert studio.diagram.cursor_site == studio.diagram.state.cursor == site
+        assert studio.diagram.site_cursor.site == studio.diagram.stage.state.cursor == site
     assert studio.edits == []
 
 
@@ -199,22 +199,22 @@ def test_a_number_is_typed_within_a_pause(studio):
     studio.keys(KEY.Key_1)
     pause.timeout.emit()
     studio.keys(KEY.Key_5)
-    assert studio.diagram.cursor_site == 5
+    assert studio.diagram.site_cursor.site == 5
 
 
 def test_the_cursor_follows_what_is_selected_elsewhere_unless_keys_are_used_here(studio, qtbot):
     first, second = track(location=7), track(location=13)
     studio.put(first, second, selected=0)
-    assert studio.diagram.cursor_site == 7
+    assert studio.diagram.site_cursor.site == 7
     with qtbot.waitActive(studio.panel):
         studio.panel.activateWindow()
     studio.diagram.setFocus()
     studio.keys(KEY.Key_8)
     studio.show(selected_inputs=(2,))
-    assert studio.diagram.cursor_site == 8
+    assert studio.diagram.site_cursor.site == 8
     studio.diagram.clearFocus()
     studio.show(selected_inputs=(1,))
-    assert studio.diagram.cursor_site == 7
+    assert studio.diagram.site_cursor.site == 7
 
 
 @pytest.mark.parametrize("key", [KEY.Key_Return, KEY.Key_Enter, KEY.Key_Space])
@@ -247,7 +247,7 @@ def test_shift_and_arrows_move_the_selected_input_in_one_gesture_per_hold(studio
         QApplication.sendEvent(studio.diagram, event)
     QTest.keyRelease(studio.diagram, KEY.Key_Shift)
     assert studio.sites == [18, 16]
-    assert studio.diagram.cursor_site == 16
+    assert studio.diagram.site_cursor.site == 16
     studio.keys(KEY.Key_Up, modifier=SHIFT)
     assert studio.sites == [18, 13]
     first, second, third = (gesture for _, _, gesture in studio.edits)
@@ -274,7 +274,7 @@ def test_an_input_that_is_not_on_this_hand_is_named_and_keys_bring_it_there_or_r
     on_hand = studio.diagram.grab().toImage()
     studio.put(track(location=7), track(location=25), selected=1)
     assert studio.diagram.grab().toImage() != on_hand, "the caption names it"
-    assert studio.diagram.stage.layout.has(studio.diagram.cursor_site)
+    assert studio.diagram.stage.layout.has(studio.diagram.site_cursor.site)
     studio.keys(KEY.Key_3)
     studio.keys(KEY.Key_Right, modifier=SHIFT)
     assert studio.sites == [7, 3]

@@ -52,7 +52,7 @@ def arm(qtbot, player):
 
     def begin():
         player.arm(True)
-        qtbot.waitUntil(lambda: player.armed, timeout=20_000)
+        qtbot.waitUntil(lambda: player.peak is not None, timeout=20_000)
 
     return begin
 

@@ -141,7 +141,7 @@ def test_armed_the_peak_is_shown_and_the_buttons_play_and_stop(sound, player, pa
     qtbot.waitUntil(lambda: not player.playing, **WAIT)
     assert stream.queue.ending.reason == "stopped"
     panel.arm.click()
-    assert not player.armed
+    assert player.peak is None
     assert not panel.play.isEnabled()
 
 

@@ -69,7 +69,7 @@ def test_stop_at_once_is_silent_and_turns_the_gain_back(sound, studio, player, q
     qtbot.waitUntil(settled(player), **WAIT)
     assert now.stream.queue.ending.reason == "panic"
     assert player.gain.gain_db == START_DB
-    assert not player.armed
+    assert player.peak is None
 
 
 @pytest.mark.parametrize("stop", ["stop_at_once", "play", "play_on_actuators"])
@@ -151,7 +151,7 @@ def test_nothing_is_sent_before_the_actuators_are_armed(sound, studio, player, q
 def test_without_a_device_nothing_is_armed_and_the_reason_is_said(no_sound, studio, player, qtbot):
     player.arm(True)
     qtbot.waitUntil(lambda: "No audio device was found" in studio.notice.text, **WAIT)
-    assert not player.armed
+    assert player.peak is None
 
 
 def test_the_peak_follows_edits_and_another_file_disarms(sound, studio, player, qtbot, arm):
@@ -162,10 +162,10 @@ def test_the_peak_follows_edits_and_another_file_disarms(sound, studio, player, 
     studio.document.undo_stack.undo()
     qtbot.waitUntil(lambda: player.peak.full_scale == pytest.approx(0.9, abs=0.01), **WAIT)
     studio.document.start_over(DESIGN, studio.document.view, None)
-    assert not player.armed
+    assert player.peak is None
     arm()
     player.settings.choose(Output(device="Eight", host_api="Made up"))
-    assert not player.armed
+    assert player.peak is None
 
 
 def test_what_is_chosen_is_kept_on_this_machine_but_not_the_gain(sound, preferences, qapp):

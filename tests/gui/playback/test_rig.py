@@ -82,7 +82,7 @@ def test_a_rig_that_is_gone_does_not_play_without_its_limits(sound, studio, play
     player.settings.preferences.rig_path = str(tmp_path / "gone.skinrig")
     player.settings._rig_was_read = False
     player.arm(True)
-    assert not player.armed
+    assert player.peak is None
     assert "The rig of this machine cannot be read" in studio.notice.text
     assert not sound.streams
 
@@ -120,7 +120,7 @@ def test_a_design_for_another_rig_is_not_played_and_one_without_uses_that_of_the
     design, view = studio.document.design, studio.document.view
     studio.document.apply(edits.choose_rig(design, view, other))
     player.arm(True)
-    assert not player.armed
+    assert player.peak is None
     assert "made for the rig 'Bench 4'" in studio.notice.text
     studio.document.undo_stack.undo()
     assert "this machine plays for Bench 3" in panel.text.text()

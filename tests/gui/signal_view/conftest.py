@@ -11,7 +11,7 @@ def signals(qtbot):
     widget = SignalView("plot", "Plot")
     qtbot.addWidget(widget)
     widget.resize(420, 200)
-    widget.set_view(TIME, None, stacked=False)
+    widget.plot.set_view(TIME, None, stacked=False)
     widget.show()
     qtbot.waitExposed(widget)
     return widget

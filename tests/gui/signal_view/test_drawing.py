@@ -39,7 +39,7 @@ def test_a_curve_is_drawn_at_the_heights_of_its_values(signals):
 def test_stacked_rows_have_equal_heights_and_one_scale(signals):
     signals.resize(500, 500)
     signals.show_curves(waves(4), synthetic=False)
-    signals.set_view(TIME, None, stacked=True)
+    signals.plot.set_view(TIME, None, stacked=True)
     rows = signals.plot.stack.rows
     geometries = [row.view.geometry() for row in rows]
     assert np.ptp([geometry.height() for geometry in geometries]) < 1e-6
@@ -54,11 +54,11 @@ def test_stacked_rows_have_equal_heights_and_one_scale(signals):
 
 def test_more_than_twelve_rows_are_counted_instead_of_drawn(signals):
     signals.show_curves(waves(15), synthetic=False)
-    signals.set_view(TIME, None, stacked=True)
+    signals.plot.set_view(TIME, None, stacked=True)
     assert len(signals.plot.stack.rows) == 12
     assert header_of(signals).mark == "+3 more"
     assert len(drawn(signals)) == 12
-    signals.set_view(TIME, None, stacked=False)
+    signals.plot.set_view(TIME, None, stacked=False)
     assert len(drawn(signals)) == 15
 
 
@@ -76,7 +76,7 @@ def test_a_block_of_strokes_has_no_gaps(signals):
 def test_stale_curves_are_pale(signals, qtbot):
     signals.show_curves(waves(2), synthetic=False)
     assert [curve.opacity() for curve in drawn(signals)] == [1.0, 1.0]
-    signals.set_stale(True)
+    signals._staleness.set_stale(True)
     qtbot.waitUntil(lambda: [curve.opacity() for curve in drawn(signals)] == [0.5, 0.5])
     signals.show_curves(waves(2), synthetic=False)
     assert [curve.opacity() for curve in drawn(signals)] == [1.0, 1.0]
@@ -131,7 +131,7 @@ def values(signals, heights):
 def test_zoomed_in_it_draws_the_tone_itself_through_every_sample(signals, stacked):
     curves = sampled()
     signals.show_curves(curves, synthetic=False)
-    signals.set_view(TIME, CLOSE, stacked=stacked)
+    signals.plot.set_view(TIME, CLOSE, stacked=stacked)
     for rank, curve in enumerate(drawn(signals)):
         at_s, levels = curve.points.x, values(signals, curve.points.y)
         assert at_s[0] <= CLOSE[0] <= CLOSE[1] <= at_s[-1]
@@ -147,9 +147,9 @@ def test_samples_are_marked_where_eight_pixels_lie_between_them(signals):
     curves = sampled()
     signals.show_curves(curves, synthetic=False)
     width = signals.plot.places.row(0).width()
-    signals.set_view(TIME, (0.1, 0.1 + width / 7 / RATE_HZ), stacked=False)
+    signals.plot.set_view(TIME, (0.1, 0.1 + width / 7 / RATE_HZ), stacked=False)
     assert all(curve.dots is None for curve in drawn(signals))
-    signals.set_view(TIME, (0.1, 0.1 + width / 20 / RATE_HZ), stacked=False)
+    signals.plot.set_view(TIME, (0.1, 0.1 + width / 20 / RATE_HZ), stacked=False)
     for rank, curve in enumerate(drawn(signals)):
         dots = [(curve.dots.at(k).x(), curve.dots.at(k).y()) for k in range(curve.dots.count())]
         at_s, heights = np.array(dots).T
@@ -165,7 +165,7 @@ def test_peaks_between_samples_are_in_the_range_and_readings_stay_those_of_sampl
     signals.show_curves(curves, synthetic=False)
     whole = signals.plot.value_scale.values
     assert whole[1] >= 1.0
-    signals.set_view(TIME, CLOSE, stacked=False)
+    signals.plot.set_view(TIME, CLOSE, stacked=False)
     assert signals.plot.value_scale.values == whole
     assert values(signals, drawn(signals)[0].points.y).max() == pytest.approx(1.0, abs=1e-3)
     signals.plot.crosshair.put(curves.nearest(0.4102))
@@ -273,7 +273,7 @@ def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
     width = signals.plot.places.row(0).width()
     signals.plot.reset_range()
     curves = sampled(partial(MISSED, frequency_hz=frequency_hz), int(per_px * width))
-    signals.set_view(TIME, None, stacked=stacked)
+    signals.plot.set_view(TIME, None, stacked=stacked)
     signals.show_curves(curves, synthetic=False)
     for rank in range(2):
         peak = 1.0 / (1 + rank)

@@ -39,20 +39,20 @@ def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(signals):
 
 
 def test_the_crosshair_reads_what_is_under_a_pointer_that_rests_while_the_wheel_zooms(signals):
-    signals.zoom_requested.connect(lambda part: signals.set_view(TIME, part, stacked=False))
+    signals.zoom_requested.connect(lambda part: signals.plot.set_view(TIME, part, stacked=False))
     plot, at = signals.plot, QPoint(200, 60)
     QTest.mouseMove(plot.viewport(), at)
-    signals.set_view(TIME, (0.1, 0.2), stacked=False)
+    signals.plot.set_view(TIME, (0.1, 0.2), stacked=False)
     left, width = left_and_width(signals)
     under = 0.1 + 0.1 * (at.x() - left) / width
     assert plot.curves.x[plot.crosshair.index] == pytest.approx(under, abs=1 / 1300)
     # Keys keep their place, and what left reads nothing.
     QTest.keyClick(plot, Qt.Key.Key_Right)
     pinned = plot.crosshair.index
-    signals.set_view(TIME, None, stacked=False)
+    signals.plot.set_view(TIME, None, stacked=False)
     assert plot.crosshair.index == pinned
     QTest.keyClick(plot, Qt.Key.Key_Escape)
-    signals.set_view(TIME, (0.1, 0.3), stacked=False)
+    signals.plot.set_view(TIME, (0.1, 0.3), stacked=False)
     assert plot.crosshair.index is None
 
 
@@ -82,7 +82,7 @@ def test_keys_move_the_crosshair_until_escape(signals):
 
 
 def test_a_crosshair_moved_out_of_sight_asks_for_the_part_it_is_in(signals, qtbot):
-    signals.set_view(TIME, (0.1, 0.2), stacked=False)
+    signals.plot.set_view(TIME, (0.1, 0.2), stacked=False)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         QTest.keyClick(signals.plot, Qt.Key.Key_End)
     assert asked.args[0] == pytest.approx((0.4, 0.5))
@@ -119,7 +119,7 @@ def test_the_wheel_zooms_at_the_pointer(signals, qtbot, modifier):
         turn_wheel(signals, 200, modifier)
     low, high = asked.args[0]
     assert high - low == pytest.approx(0.5 / 1.2)
-    signals.set_view(TIME, asked.args[0], stacked=False)
+    signals.plot.set_view(TIME, asked.args[0], stacked=False)
     after = canvas.x_window.position((200 - left) / width)
     assert after == pytest.approx(before)
 
@@ -129,14 +129,14 @@ def test_the_wheel_zooms_at_the_pointer(signals, qtbot, modifier):
     [(Qt.KeyboardModifier.ShiftModifier, False), (Qt.KeyboardModifier.NoModifier, True)],
 )
 def test_the_wheel_with_shift_or_to_the_side_pans(signals, qtbot, modifier, aside):
-    signals.set_view(TIME, (0.1, 0.3), stacked=False)
+    signals.plot.set_view(TIME, (0.1, 0.3), stacked=False)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         turn_wheel(signals, 200, modifier, turned=-120, aside=aside)
     assert asked.args[0] == pytest.approx((0.12, 0.32))
 
 
 def test_the_middle_button_pans_and_stops_at_the_ends(signals):
-    signals.set_view(TIME, (0.1, 0.3), stacked=False)
+    signals.plot.set_view(TIME, (0.1, 0.3), stacked=False)
     asked = []
     signals.zoom_requested.connect(asked.append)
     canvas, (_, width) = signals.plot, left_and_width(signals)
@@ -153,7 +153,7 @@ def test_double_click_0_and_a_show_everything_and_plus_and_minus_zoom(signals):
     signals.zoom_requested.connect(asked.append)
     QTest.keyClick(signals.plot, Qt.Key.Key_Plus)
     assert asked[-1] == pytest.approx((0.25 - 0.5 / 3, 0.25 + 0.5 / 3))
-    signals.set_view(TIME, asked[-1], stacked=False)
+    signals.plot.set_view(TIME, asked[-1], stacked=False)
     QTest.keyClick(signals.plot, Qt.Key.Key_Minus)
     assert asked[-1] is None
     QTest.keyClick(signals.plot, Qt.Key.Key_0)
@@ -168,21 +168,21 @@ def test_a_logarithmic_axis_zooms_evenly_in_octaves(signals, qtbot):
         Curves(x=x, y=np.ones((1, x.size)), names=output_names((1,), "synthetic-1")),
         synthetic=False,
     )
-    signals.set_view(FREQUENCY, (50.0, 200.0), stacked=False)
+    signals.plot.set_view(FREQUENCY, (50.0, 200.0), stacked=False)
     signals.plot.crosshair.put(50)
     assert signals.legend.text.where == "100.0 Hz"
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         QTest.keyClick(signals.plot, Qt.Key.Key_Minus)
     low, high = asked.args[0]
     assert (100 / low, high / 100) == pytest.approx((2**1.5, 2**1.5))
-    signals.set_view(FREQUENCY, (0.0, 50.0), stacked=False)
+    signals.plot.set_view(FREQUENCY, (0.0, 50.0), stacked=False)
     assert signals.plot.x_window.values(signals.plot.x_window.shown) == pytest.approx((10.0, 50.0))
 
 
 def test_a_zoom_that_holds_no_data_says_how_to_leave_it(signals):
-    signals.set_view(TIME, (2.0, 3.0), stacked=False)
+    signals.plot.set_view(TIME, (2.0, 3.0), stacked=False)
     assert "Press 0" in signals.plot.stack.hint.text
-    signals.set_view(TIME, None, stacked=False)
+    signals.plot.set_view(TIME, None, stacked=False)
     assert signals.plot.stack.hint.text == ""
 
 
@@ -198,7 +198,7 @@ def test_a_turn_of_the_wheel_that_began_as_scrolling_is_not_taken_until_it_is_me
     area.resize(400, 300)
     area.show()
     qtbot.waitExposed(area)
-    view.set_view(TIME, None, stacked=False)
+    view.plot.set_view(TIME, None, stacked=False)
     view.show_curves(waves(), synthetic=False)
     view.zoom_requested.connect(zooms.append)
 
@@ -248,14 +248,14 @@ def save_to(monkeypatch, tmp_path):
 
 
 def test_the_right_button_opens_a_menu_that_shows_everything(signals, qtbot):
-    signals.set_view(TIME, (0.1, 0.2), stacked=False)
+    signals.plot.set_view(TIME, (0.1, 0.2), stacked=False)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         choose(signals, "View all")
     assert asked.args == [None]
 
 
 def test_without_curves_there_is_no_menu(signals):
-    signals.show_message("Select outputs on the skin map")
+    signals.plot.show_message("Select outputs on the skin map")
     assert open_menu(signals) is None
 
 
@@ -286,7 +286,7 @@ def test_the_table_holds_all_samples_exactly_whatever_is_zoomed_to(signals, save
         x=curves.x, y=curves.y, names=curves.names, kind=kind, about=lambda: ("one", "two")
     )
     signals.show_curves(shown, synthetic=True)
-    signals.set_view(TIME, (0.1, 0.2), stacked=False)
+    signals.plot.set_view(TIME, (0.1, 0.2), stacked=False)
     path = save_to("data", "CSV (*.csv)").with_suffix(".csv")
     choose(signals, "Export data")
     lines = path.read_text().splitlines()

@@ -156,7 +156,7 @@ def test_the_automatic_range_follows_the_loudest_output_alone(window):
     # The same levels have the same colours, whatever was shown before.
     for by, top in ((0.9, -10.0), (-6.0, -15.0), (1.1, -5.0), (-6.0, -15.0), (-15.0, -25.0)):
         window.deliver(output_levels_db=window.results["output_levels_db"] + by)
-        assert window.panel.colour_bar.value_range == (top - 50.0, top)
+        assert window.panel.colour_bar.strip.value_range == (top - 50.0, top)
 
 
 def test_the_automatic_range_spans_snapshots_too_as_loud_as_they_are_shown(window):
@@ -166,15 +166,15 @@ def test_the_automatic_range_spans_snapshots_too_as_loud_as_they_are_shown(windo
     assert window.panel.needs_of_snapshots == {"output_levels_db"}
     louder = {"output_levels_db": levels + 12.0}
     window.panel.show_snapshots([Compared(snapshot=snapshots[1], values=louder)])
-    assert window.panel.colour_bar.value_range == (-45.0, 5.0)
+    assert window.panel.colour_bar.strip.value_range == (-45.0, 5.0)
     window.deliver(output_levels_db=louder["output_levels_db"])
-    assert window.panel.colour_bar.value_range == (-45.0, 5.0)
+    assert window.panel.colour_bar.strip.value_range == (-45.0, 5.0)
     window.panel.show_snapshots([Compared(snapshot=snapshots[1], values=louder, gain=10.0)])
-    assert window.panel.colour_bar.value_range == (-25.0, 25.0)
+    assert window.panel.colour_bar.strip.value_range == (-25.0, 25.0)
     window.show(snapshots=())
     assert window.panel.needs_of_snapshots == frozenset()
     window.deliver()
-    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
+    assert window.panel.colour_bar.strip.value_range == (-60.0, -10.0)
 
 
 @pytest.mark.parametrize("width", [20, 40, 60, 120])
@@ -206,7 +206,7 @@ def test_an_end_is_dragged_and_stops_before_the_other(window):
     lowest, highest = window.settings.map_range_db
     assert lowest == -60.0
     assert -30.0 < highest < -10.0
-    assert window.panel.colour_bar.value_range == (lowest, highest)
+    assert window.panel.colour_bar.strip.value_range == (lowest, highest)
     drag(strip, low, low + QPoint(2000, 0))
     assert window.settings.map_range_db == (highest - 1.0, highest)
 
@@ -217,11 +217,11 @@ def test_a_drag_between_the_ends_moves_both_from_where_they_were_and_back(window
     QTest.mousePress(strip, LEFT, PLAIN, middle)
     for by, sign in ((30, 1.0), (-30, -1.0)):
         QTest.mouseMove(strip, middle + QPoint(by, 0))
-        low, high = window.panel.colour_bar.value_range
+        low, high = window.panel.colour_bar.strip.value_range
         assert high - low == pytest.approx(50.0)
         assert sign * (high + 10.0) > 5.0
     QTest.mouseMove(strip, middle)
-    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
+    assert window.panel.colour_bar.strip.value_range == (-60.0, -10.0)
     QTest.mouseRelease(strip, LEFT, PLAIN, middle)
     views = len(window.views)
     QTest.mouseMove(strip, middle + QPoint(30, 0))
@@ -241,7 +241,7 @@ def test_keys_move_the_range(window):
 def test_until_accelerations_are_known_their_bar_has_no_decibels_of_what_was_shown(window):
     # Nobody computes what it needs.
     window.show(quantity=Z)
-    low, high = window.panel.colour_bar.value_range
+    low, high = window.panel.colour_bar.strip.value_range
     assert low == -high < 0.0
 
 

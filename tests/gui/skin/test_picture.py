@@ -37,7 +37,7 @@ def test_sensors_only_is_drawn_without_a_surface(window):
     window.show(map_style="sensors", outputs=())
     window.deliver()
     level = window.results["output_levels_db"][51]
-    low_high = window.panel.colour_bar.value_range
+    low_high = window.panel.colour_bar.strip.value_range
     expected = QColor(int(colour_table()[colour_indices(np.array(level), low_high)]))
     picture = window.panel.map.grab().toImage()
     assert pixel(picture, place(window, 52)) == expected.getRgb()[:3]

@@ -93,7 +93,7 @@ class LanesBench(Bench):
         self.panel.resize(1000, 260)
         self.panel.show_results(clip_results(self.design))
         self.lanes.setFocus()
-        self.lanes.set_snaps(False)
+        self.lanes.change(snaps=False)
 
     @property
     def lanes(self):

@@ -51,7 +51,7 @@ def copy(lanes):
 
 
 def free(lanes):
-    lanes.lanes.set_snaps(True)
+    lanes.lanes.change(snaps=True)
     lanes.drag(lanes.middle(3), lanes.middle(3) + lanes.px(-0.397), ALT)
     assert lanes.onset(3) != pytest.approx(0.3, abs=1e-6)
     assert lanes.onset(3) == pytest.approx(0.303, abs=0.004)
@@ -157,7 +157,7 @@ def opened(lanes):
 
 
 def add(lanes):
-    lanes.lanes.set_snaps(True)
+    lanes.lanes.change(snaps=True)
     lanes.double_click(lanes.at(0.617, lane=1))
     steps = lanes.design.inputs[1].clips[-1].onset_s / lanes.content.grid_s
     assert steps == pytest.approx(round(steps), abs=1e-6)
@@ -256,7 +256,7 @@ def rename_marker(lanes):
 
 
 def move_marker(lanes):
-    lanes.lanes.set_snaps(True)
+    lanes.lanes.change(snaps=True)
     lanes.show(edits.add_marker(lanes.design, lanes.view, 0.61, "hit").design)
     # It does not snap to where it was.
     lanes.drag(lanes.on_ruler(0.61, 4), lanes.on_ruler(0.61, 4) + QPointF(6, 0))
@@ -385,7 +385,7 @@ def test_where_a_gain_curve_passes_over_a_clip_the_way_of_a_drag_says_which_is_m
 
 
 def test_an_edge_snaps_to_the_end_of_a_clip_on_another_track_and_shows_where(lanes):
-    lanes.lanes.set_snaps(True)
+    lanes.lanes.change(snaps=True)
     # The clip on the other track ends at 0.3 s.
     start = lanes.middle(3)
     lanes.drag(start, start + lanes.px(-0.4 + 0.003), release=False)
@@ -404,7 +404,7 @@ def test_selected_clips_move_together_and_none_starts_before_zero(lanes):
 
 
 def test_an_end_that_is_dragged_beyond_its_clip_says_the_length_that_the_clip_has(lanes):
-    lanes.lanes.set_snaps(True)
+    lanes.lanes.change(snaps=True)
     end, whole_s = end_of(lanes, 2), lanes.design.clip(2).duration_s
     # Another clip starts there, which the end does not reach.
     lanes.drag(end, end + lanes.px(0.2), release=False)

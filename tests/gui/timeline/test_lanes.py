@@ -82,7 +82,7 @@ def test_only_layers_are_offered_to_be_ungrouped(lanes):
 
 
 def test_a_double_click_on_the_ruler_puts_playhead_and_marker_at_one_time(lanes):
-    lanes.lanes.set_snaps(True)
+    lanes.lanes.change(snaps=True)
     at = lanes.on_ruler(0.3) + QPointF(3, 0)
     lanes.click(at)
     lanes.double_click(at)
@@ -91,7 +91,7 @@ def test_a_double_click_on_the_ruler_puts_playhead_and_marker_at_one_time(lanes)
 
 
 def test_a_marker_that_is_dragged_onto_another_stays_beside_it(lanes):
-    lanes.lanes.set_snaps(True)
+    lanes.lanes.change(snaps=True)
     for time_s in (0.4, 0.62):
         lanes.show(edits.add_marker(lanes.design, lanes.view, time_s).design)
     lanes.drag(lanes.on_ruler(0.62, 6), lanes.on_ruler(0.4, 6), steps=9)
@@ -261,7 +261,7 @@ def test_shift_keeps_to_one_direction_and_ctrl_is_fine(curved):
 
 
 def test_a_point_rests_on_a_gain_of_one_and_on_ends_of_clips_unless_alt_is_held(curved):
-    curved.lanes.set_snaps(True)
+    curved.lanes.change(snaps=True)
     with_curve(curved, (0.1, 1.0), (0.45, 0.5), (0.9, 1.0))
     way = px(curved, 0.053, 0.5) + QPointF(0, 2)
     start = on_line(curved, 0.45)
