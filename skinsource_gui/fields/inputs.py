@@ -16,7 +16,7 @@ from skinsource.design.describing import DURATION_FIELD, duration_text, effects_
 from skinsource.design.design import Design, Input, View
 from skinsource.design.display_units import number_text
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.effects.time import stretched_by
+from skinsource.design.effects.time import Trim, stretched_by
 from skinsource.design.waveform import Waveform
 from skinsource.signals.generators import sample_count
 from skinsource.signals.resampling import peaks_between
@@ -61,14 +61,11 @@ _LEAST_S = 1e-9
 
 
 def clip_text(clip: Clip) -> str:
-    """Return `figure_text` of a clip, and how effects change its frequencies: ", stretched ×2"."""
-    return f"{figure_text(clip.waveform)}{stretched_text(clip)}"
-
-
-def stretched_text(clip: Clip) -> str:
-    """Return by how much a clip plays its waveform slower or faster; "" for neither."""
+    """Return `figure_text` of a clip, and how effects change it: ``", trimmed, stretched ×2"``."""
+    trimmed = any(isinstance(effect, Trim) and effect.on for effect in clip.effects)
     factor = stretched_by(clip.effects, clip.waveform.duration_s)
-    return "" if factor == 1.0 else f", stretched ×{factor:.3g}"
+    stretched = "" if factor == 1.0 else f", stretched ×{factor:.3g}"
+    return f"{figure_text(clip.waveform)}{', trimmed' if trimmed else ''}{stretched}"
 
 
 def clips_text(count: int) -> str:

@@ -43,6 +43,14 @@ def test_noise_placed_anew_is_another_noise():
     assert seeds == [4, 0, 1, 2]
 
 
+def test_duplicates_of_tracks_are_selected_as_tracks_and_those_of_clips_with_their_clips():
+    tracks = edits.duplicate_inputs(THREE, View(selected_inputs=(1,)), (1,))
+    assert tracks.view.selected_inputs == tracks.design.ids[-1:]
+    assert not tracks.view.selected_clips
+    clips = edits.duplicate_inputs(THREE, View(selected_inputs=(1,), selected_clips=(1,)), (1,))
+    assert clips.view.selected_clips
+
+
 def test_a_duplicate_is_the_same_but_for_id_and_colour():
     outcome = edits.duplicate_inputs(THREE, LAST, (2, 1))
     copies = outcome.design.inputs[3:]

@@ -173,12 +173,15 @@ def _effect_texts(clip: Clip) -> list[str]:
 
 
 def _effect_text(effect: Effect, lasts_s: float) -> str:
-    """Return ``"fade"``, ``"an envelope of 12 points"``, or ``"stretch ×2"`` of ``lasts_s``."""
+    """Return how it changes what ``lasts_s``: ``"fade"``, ``"trim to 0–100 ms of 200 ms"``."""
     if isinstance(effect, Envelope):
         return f"an envelope {_points(effect.points)}"
     if isinstance(effect, Stretch):
         addition = " that keeps frequencies" if effect.pitch == "stays" else ""
         return f"stretch ×{effect.factor_of(lasts_s):.3g}{addition}"
+    if isinstance(effect, Trim):
+        start_ms, end_ms = 1e3 * effect.start_s, 1e3 * (effect.start_s + effect.length(lasts_s))
+        return f"trim to {start_ms:.4g}–{end_ms:.4g} ms of {duration_text(lasts_s)}"
     return effect.title.lower()
 
 

@@ -18,7 +18,7 @@ from skinsource.base.run_limited import resident_bytes
 from skinsource.design.describing import figure_text, full_label, stimulus_text
 from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import as_kind, kind_spec
-from skinsource.design.effects import Fade, Stretch
+from skinsource.design.effects import Fade, Stretch, Trim
 from skinsource.design.waveforms import (
     COMMON,
     KINDS,
@@ -232,9 +232,14 @@ def test_no_kind_is_told_without_a_number_that_it_has(kind):
             "400 ms through stretch ×2 that keeps frequencies",
         ),
         (Stretch(factor=2.0, on=False), "Tone 100 Hz", "200 ms"),
+        (
+            Trim(start_s=0.05, duration_s=0.1),
+            "Tone 100 Hz, trimmed",
+            "100 ms through trim to 50–150 ms of 200 ms",
+        ),
     ],
 )
-def test_words_on_a_clip_say_by_what_it_is_stretched(effect, text, through):
+def test_words_on_a_clip_say_by_what_it_is_stretched_and_which_part_plays(effect, text, through):
     clip = Clip(waveform=Tone(frequency_hz=100.0, duration_s=0.2), effects=(effect,))
     assert clip_text(clip) == text
     design = Design(limb="synthetic-1", inputs=(Input(location=7, clips=(clip,)),))

@@ -138,7 +138,7 @@ def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -
 
 @refusing
 def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Add a copy of each input at the end, and select the copies.
+    """Add a copy of each input at the end, and select the copies, as the inputs were.
 
     Examples
     --------
@@ -149,7 +149,11 @@ def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | R
     [7, 8, 7]
     """
     chosen = chosen_inputs(design, ids)
-    return _added(design, view, f"Duplicate {tracks_text(chosen, design.limb)}", chosen)
+    edit = _added(design, view, f"Duplicate {tracks_text(chosen, design.limb)}", chosen)
+    if view.selected_clips:
+        return edit
+    # Keys go on acting on tracks.
+    return replace(edit, view=replace(edit.view, selected_clips=()))
 
 
 @refusing
