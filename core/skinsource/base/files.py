@@ -239,7 +239,11 @@ def replacing(path: Path, *, private: bool = False) -> Iterator[Path]:
             temporary.replace(target)
             _flush_folder(target.parent)
     finally:
-        _discard(temporary)
+        if temporary.exists():
+            # Windows deletes no file that is read-only.
+            with suppress(OSError):
+                temporary.chmod(0o600)
+            temporary.unlink(missing_ok=True)
 
 
 def write_bytes(path: Path, content: bytes, *, private: bool = False) -> None:
@@ -307,14 +311,6 @@ def _permissions_of(path: Path) -> int | None:
         # The new file would take its place: with the right to do so, that of /dev/null too.
         raise _BadPath("it is a device or a pipe, not a file")
     return stat.S_IMODE(mode)
-
-
-def _discard(temporary: Path) -> None:
-    if temporary.exists():
-        # Windows deletes no file that is read-only.
-        with suppress(OSError):
-            temporary.chmod(0o600)
-        temporary.unlink(missing_ok=True)
 
 
 def _flush_file(path: Path) -> None:

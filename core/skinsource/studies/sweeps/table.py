@@ -200,7 +200,8 @@ class Journal:
                         f"{path_text(path)} belongs to another sweep. Choose another folder, or "
                         "delete the file to start again."
                     )
-                _set_aside(path)
+                names = (path.with_stem(f"{path.stem} set aside {number}") for number in count(1))
+                path.rename(next(name for name in names if not path_exists(name)))
                 content = b""
             # An incomplete last line is deleted.
             n_complete = max(len(first), content.rfind(b"\n") + 1) if content else 0
@@ -256,12 +257,6 @@ def _is_nearly(line: bytes, expected: bytes) -> bool:
     """Return whether ``line`` is ``expected``, perhaps with a few damaged bytes."""
     damaged = sum(a != b for a, b in zip(line, expected, strict=False))
     return len(line) == len(expected) and damaged <= _MOST_DAMAGED
-
-
-def _set_aside(path: Path) -> None:
-    """Rename ``path`` to a free name."""
-    names = (path.with_stem(f"{path.stem} set aside {number}") for number in count(1))
-    path.rename(next(name for name in names if not path_exists(name)))
 
 
 def _finite(metrics: Metrics) -> dict[str, float | None]:
