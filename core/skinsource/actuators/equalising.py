@@ -311,7 +311,13 @@ def equalised(
     rows = finite_array("drive", drive, "finite numbers in m/s², (n_times,)")
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
     band = followed_band(None, rate_hz) if band_hz is None else band_hz
-    _check_rate(rate_hz, band)
+    # 1300 Hz for 600 Hz.
+    least_hz = 2.0 / PASSED_SHARE * band[1]
+    if rate_hz < least_hz * (1.0 - 1e-9):
+        raise InvalidInputError(
+            f"sample_rate_hz is {rate_hz:g}, expected at least {least_hz:g} Hz for a band that "
+            f"ends at {band[1]:g} Hz. Resample the drive, or end the band lower."
+        )
     margins = [
         int(rate_hz * real_number(name, value, "0 to 0.5 s", least=0.0, most=_RINGING_S))
         for name, value in (("lead_s", lead_s), ("tail_s", tail_s))
@@ -331,16 +337,6 @@ def equalised(
     spectrum = scipy.fft.rfft(rows, length) * equaliser.filter(actuator, frequency_hz, band)
     around = np.roll(scipy.fft.irfft(spectrum, length), margins[0], axis=-1)
     return around[..., : margins[0] + n + margins[1]]
-
-
-def _check_rate(rate_hz: float, band_hz: Band) -> None:
-    # 1300 Hz for 600 Hz.
-    least_hz = 2.0 / PASSED_SHARE * band_hz[1]
-    if rate_hz < least_hz * (1.0 - 1e-9):
-        raise InvalidInputError(
-            f"sample_rate_hz is {rate_hz:g}, expected at least {least_hz:g} Hz for a band that "
-            f"ends at {band_hz[1]:g} Hz. Resample the drive, or end the band lower."
-        )
 
 
 RESONANCE = NumberSpec(

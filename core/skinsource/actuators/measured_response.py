@@ -192,7 +192,11 @@ def fit(
         )
 
     def misfits(logs: Floats) -> Floats:
-        return _differences(coil(logs), known_hz, values, with_phase)
+        fitted = coil(logs).response(known_hz)
+        if not with_phase:
+            return np.log(np.abs(fitted) / np.abs(values))
+        relative = (fitted - values) / np.abs(values)
+        return np.concatenate((relative.real, relative.imag))
 
     def cost(start: Floats) -> float:
         return float(np.square(misfits(start)).sum())
@@ -221,16 +225,6 @@ def misfit_db(actuator: Actuator, frequency_hz: ArrayLike, response: ArrayLike) 
     gain = np.abs(actuator.response(known_hz))
     with np.errstate(divide="ignore"):
         return float(np.abs(20.0 * np.log10(gain / np.abs(values))).max())
-
-
-def _differences(
-    coil: VoiceCoil, frequency_hz: Floats, values: Complexes, with_phase: bool
-) -> Floats:
-    response = coil.response(frequency_hz)
-    if not with_phase:
-        return np.log(np.abs(response) / np.abs(values))
-    relative = (response - values) / np.abs(values)
-    return np.concatenate((relative.real, relative.imag))
 
 
 def _starts(

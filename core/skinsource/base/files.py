@@ -226,7 +226,10 @@ def replacing(path: Path, *, private: bool = False) -> Iterator[Path]:
         mode = 0o600 if private else _permissions_of(target)
         delete_abandoned(target.parent)
         temporary = temporary_path(target)
-        _create(temporary, private=mode is not None)
+        # The operating system lowers 0o666 as the user has set it.  A file that replaces another
+        # one is for the user alone until it gets the permissions of that one.
+        first_mode = 0o666 if mode is None else 0o600
+        os.close(os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, first_mode))
     try:
         with storage_errors_of(path):
             yield temporary
@@ -236,7 +239,11 @@ def replacing(path: Path, *, private: bool = False) -> Iterator[Path]:
             temporary.replace(target)
             _flush_folder(target.parent)
     finally:
-        _discard(temporary)
+        if temporary.exists():
+            # Windows deletes no file that is read-only.
+            with suppress(OSError):
+                temporary.chmod(0o600)
+            temporary.unlink(missing_ok=True)
 
 
 def write_bytes(path: Path, content: bytes, *, private: bool = False) -> None:
@@ -304,21 +311,6 @@ def _permissions_of(path: Path) -> int | None:
         # The new file would take its place: with the right to do so, that of /dev/null too.
         raise _BadPath("it is a device or a pipe, not a file")
     return stat.S_IMODE(mode)
-
-
-def _create(path: Path, *, private: bool) -> None:
-    # The operating system lowers 0o666 as the user has set it.  A file that replaces another one
-    # is for the user alone until it gets the permissions of that one.
-    mode = 0o600 if private else 0o666
-    os.close(os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, mode))
-
-
-def _discard(temporary: Path) -> None:
-    if temporary.exists():
-        # Windows deletes no file that is read-only.
-        with suppress(OSError):
-            temporary.chmod(0o600)
-        temporary.unlink(missing_ok=True)
 
 
 def _flush_file(path: Path) -> None:

@@ -79,7 +79,16 @@ def add_to(subparsers: Any) -> None:
     render.add_argument("--out", type=Path, default=Path(), metavar="FOLDER", help=where)
     show.set_defaults(run=_show)
     render.set_defaults(run=_render)
-    _add_pack(subparsers)
+    pack = subparsers.add_parser(
+        "pack",
+        help="put a design file and all that belongs to it into one zip",
+        description="Writes design, stimulus, map, levels, traces, citation, and the versions "
+        "and digests of all of them into one zip file.",
+    )
+    pack.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
+    pack.add_argument("--out", type=Path, required=True, metavar="FILE", help="the zip to write")
+    pack.add_argument("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
+    pack.set_defaults(run=_pack)
     _add_check(subparsers)
 
 
@@ -188,20 +197,6 @@ def _level_lines(design: Design, view: View, levels_db: Floats) -> list[str]:
         name = output_name(number, design.limb).name
         lines.append(f"  {number:6}  {level_db:12.1f}  {name}".rstrip())
     return lines
-
-
-def _add_pack(subparsers: Any) -> None:
-    """Add the command ``pack``."""
-    parser = subparsers.add_parser(
-        "pack",
-        help="put a design file and all that belongs to it into one zip",
-        description="Writes design, stimulus, map, levels, traces, citation, and the versions "
-        "and digests of all of them into one zip file.",
-    )
-    parser.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
-    parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="the zip to write")
-    parser.add_argument("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
-    parser.set_defaults(run=_pack)
 
 
 def _pack(arguments: argparse.Namespace) -> None:

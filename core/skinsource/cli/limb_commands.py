@@ -66,12 +66,7 @@ def _add_import(actions: Any) -> None:
     add("--name", help=f"name in designs: {NAME_RULE}")
     add("--title", help="title in the window")
     add("--note", help="note for users")
-    _add_responses(parser.add_argument_group("responses").add_argument)
-    _add_hand(parser.add_argument_group("hand and places").add_argument)
-    parser.set_defaults(run=_import)
-
-
-def _add_responses(add: Any) -> None:
+    add = parser.add_argument_group("responses").add_argument
     add("--array", metavar="NAME", help="which array (default: largest)")
     add(
         "--order",
@@ -105,9 +100,7 @@ def _add_responses(add: Any) -> None:
         default=None,
         help="the responses are computed, not measured",
     )
-
-
-def _add_hand(add: Any) -> None:
+    add = parser.add_argument_group("hand and places").add_argument
     in_units = "hand length in the unit of the coordinates (default: mm)"
     _add_numbers(
         add,
@@ -120,6 +113,7 @@ def _add_hand(add: Any) -> None:
     add("--y-down", action="store_true", default=None, help="y points down in these files, too")
     add("--left", action="store_true", default=None, help="it is a left hand")
     add("--mirrored", action="store_true", default=None, help="show it as a right hand")
+    parser.set_defaults(run=_import)
 
 
 def _add_numbers(add: Any, *numbers: tuple[str, str, str, str]) -> None:

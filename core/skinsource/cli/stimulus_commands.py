@@ -74,7 +74,14 @@ def add_to(subparsers: Any) -> None:
     add("--people", action="store_true", help=text)
     _add_channels(parser.add_argument_group("channels").add_argument)
     _add_numbers(parser.add_argument_group("numbers").add_argument)
-    _add_rig(parser.add_argument_group("rig").add_argument)
+    add = parser.add_argument_group("rig").add_argument
+    add("--rig", type=Path, metavar="FILE", help="a .skinrig file, or none (default: the design's)")
+    add(
+        "--equalise",
+        choices=("linear", "minimum", "none"),
+        help="regularised inverse with this phase, or none (default: that of the design)",
+    )
+    add("--boost", type=float, metavar="DB", help="largest boost of --equalise (default: 20)")
     parser.set_defaults(run=_export)
     wiring = subparsers.add_parser(
         "wiring",
@@ -135,16 +142,6 @@ def _add_numbers(add: Any) -> None:
             metavar=f"{{{','.join(options)}}}",
             help=f"for {', '.join(formats)}",
         )
-
-
-def _add_rig(add: Any) -> None:
-    add("--rig", type=Path, metavar="FILE", help="a .skinrig file, or none (default: the design's)")
-    add(
-        "--equalise",
-        choices=("linear", "minimum", "none"),
-        help="regularised inverse with this phase, or none (default: that of the design)",
-    )
-    add("--boost", type=float, metavar="DB", help="largest boost of --equalise (default: 20)")
 
 
 def _choices() -> dict[str, tuple[list[str], list[str]]]:

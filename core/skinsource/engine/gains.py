@@ -6,13 +6,11 @@ largest sample so far: the result is that of the full search, from few channels.
 
 import math
 import sys
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import chain, repeat
 from sys import getsizeof
-from threading import Lock
-from typing import NamedTuple
 from weakref import ref
 
 import numpy as np
@@ -66,9 +64,9 @@ def channel_bounds(
 ) -> Floats:
     """Return a bound of the samples of each channel, (n_pieces, n_channels), for pieces of drives.
 
-    It is the smallest of three bounds: the sum of magnitudes over frequency (tight for tones); the
-    sum over sections of the response of its norm times the largest norm of the drive in a window as
-    long (tight for noise); the largest sample times the sum of the response (tight for pulses).
+    It is the smaller of two bounds: the sum of magnitudes over frequency (tight for tones); the sum
+    over sections of the response of its norm times the largest norm of the drive in a window as
+    long (tight for noise and pulses).
 
     Parameters
     ----------
@@ -85,9 +83,6 @@ def channel_bounds(
     bounds: Floats = (
         section_norms @ _largest_norms(samples, responses[0].section_lengths)[:, :, None]
     )[:, :, 0]
-    by_peak = np.array([response.absolute_sums for response in responses])
-    by_peak *= np.abs(samples).max(axis=-1, initial=0.0)[:, None]
-    np.minimum(bounds, by_peak, out=bounds)
     if tight:
         np.minimum(bounds, _bounds_by_frequency(spectra, responses), out=bounds)
     bounds *= _MARGIN
@@ -127,17 +122,6 @@ _BATCHES = (4, 8, 8, 16)
 _BLOCKS_AT_ONCE = 128
 
 
-class Peak(NamedTuple):
-    """The signed maximum of a vibration: its value, channel and sample.
-
-    Channel and sample mean nothing where the vibration is nowhere above 0.
-    """
-
-    value: float
-    channel: int = 0
-    time: int = 0
-
-
 def peaks_of(
     drives: Sequence[Floats],
     spectra: Sequence[Complexes],
@@ -145,7 +129,7 @@ def peaks_of(
     stop: Stop = never,
     *,
     tight: bool = True,
-) -> list[Peak]:
+) -> list[float]:
     """Return the signed maximum, over channels and times, of each drive convolved with responses.
 
     Parameters
@@ -169,9 +153,17 @@ def peaks_of(
     bounds = channel_bounds(padded, np.array(spectra), responses, tight=tight)
 
     def signals(voice: NDArray[np.int64], channel: NDArray[np.int64]) -> Floats:
-        return _signals(spectra, responses, np.bincount(voice, minlength=len(spectra)), channel)
+        products = np.empty((channel.size, spectra[0].size), np.complex128)
+        end = 0
+        counts = np.bincount(voice, minlength=len(spectra)).tolist()
+        for spectrum, response, count in zip(spectra, responses, counts, strict=True):
+            begin, end = end, end + count
+            if count:
+                np.multiply(response.rows[channel[begin:end]], spectrum, out=products[begin:end])
+        return inverse(products, responses[0].n_fft)
 
-    return _search(bounds, signals, -np.inf, stop)
+    largest: list[float] = _search(bounds, signals, -np.inf, stop).tolist()
+    return largest
 
 
 def _search(
@@ -179,8 +171,8 @@ def _search(
     signals: Callable[[NDArray[np.int64], NDArray[np.int64]], Floats],
     least: float,
     stop: Stop,
-) -> list[Peak]:
-    """Return the signed maximum of each vibration, from few of its channels.
+) -> Floats:
+    """Return the signed maximum of each vibration, (n_vibrations,), from few of its channels.
 
     Parameters
     ----------
@@ -189,11 +181,10 @@ def _search(
     signals
         Returns channels, (n, n_times), by vibration and channel, (n,) each, in their order.
     least
-        Maxima up to here are not searched; their channel and sample mean nothing.
+        Returned where no sample exceeds it.
     """
     order = np.argsort(-bounds, axis=-1, kind="stable")
-    peaks = [Peak(least) for _ in bounds]
-    largest = np.full(len(peaks), least)
+    largest = np.full(len(bounds), least)
     begin = 0
     for batch in chain(_BATCHES, repeat(_BATCHES[-1])):
         stop_if(stop)
@@ -201,57 +192,30 @@ def _search(
         begin += batch
         searched = np.take_along_axis(bounds, chosen, axis=-1) > largest[:, None]
         if not searched.any():
-            return peaks
-        voice = np.nonzero(searched)[0]
-        channel = chosen[searched]
-        found = signals(voice, channel)
+            break
+        voice, channel = np.nonzero(searched)[0], chosen[searched]
+        np.maximum.at(largest, voice, signals(voice, channel).max(axis=-1))
         tally(search_transforms=channel.size)
-        time = found.argmax(axis=-1)
-        value = found[np.arange(time.size), time]
-        for row in np.flatnonzero(value > largest[voice]).tolist():
-            k = int(voice[row])
-            if value[row] > largest[k]:
-                largest[k] = value[row]
-                peaks[k] = Peak(float(value[row]), int(channel[row]), int(time[row]))
-    return peaks
+    return largest
 
 
-def _signals(
-    spectra: Sequence[Complexes],
-    responses: Sequence[ResponseSpectrum],
-    counts: NDArray[np.int64],
-    channels: NDArray[np.int64],
-) -> Floats:
-    """Return vibrations, (n_channels, n_fft), by drives, at ``counts`` channels of each."""
-    products = np.empty((channels.size, spectra[0].size), np.complex128)
-    end = 0
-    for spectrum, response, count in zip(spectra, responses, counts.tolist(), strict=True):
-        begin, end = end, end + count
-        if count:
-            np.multiply(response.rows[channels[begin:end]], spectrum, out=products[begin:end])
-    return inverse(products, responses[0].n_fft)
-
-
-def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> Peak:
-    peak = Peak(-np.inf)
+def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> float:
+    peak = -np.inf
     cut = Blocks(response.taps.shape[-1])
     starts = range(0, samples.size + cut.overlap, cut.n_samples)
     for k in range(0, len(starts), _BLOCKS_AT_ONCE):
         stop_if(stop)
-        blocks = {first: cut.segment(samples, first) for first in starts[k : k + _BLOCKS_AT_ONCE]}
-        sounding = {first: segment for first, segment in blocks.items() if segment is not None}
-        if len(sounding) < len(blocks) and peak.value < 0.0:
-            peak = Peak(0.0)
+        blocks = [cut.segment(samples, first) for first in starts[k : k + _BLOCKS_AT_ONCE]]
+        sounding = [segment for segment in blocks if segment is not None]
+        if len(sounding) < len(blocks):
+            peak = max(peak, 0.0)
         if sounding:
-            segments = np.array(list(sounding.values()))
+            segments = np.array(sounding)
             spectra = forward(segments, cut.n_fft)
             bounds = channel_bounds(segments, spectra, [response] * len(segments))
             # All blocks are channels of one vibration.
             signals = partial(_signals_of_blocks, spectra, response)
-            (found,) = _search(bounds.reshape(1, -1), signals, peak.value, stop)
-            if found.value > peak.value:
-                block, channel = divmod(found.channel, bounds.shape[-1])
-                peak = Peak(found.value, channel, list(sounding)[block] + found.time)
+            peak = float(_search(bounds.reshape(1, -1), signals, peak, stop)[0])
     return peak
 
 
@@ -294,7 +258,7 @@ def unit_gains(
     """
     peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop, tight=tight)
     return [
-        unit_gain(peak.value, drive, response)
+        unit_gain(peak, drive, response)
         for drive, peak, response in zip(drives, peaks, responses, strict=True)
     ]
 
@@ -319,29 +283,6 @@ class Sounding:
     response: ResponseSpectrum
 
 
-class Gains:
-    """Gains under upstream's scaling, for all threads, in bounded memory."""
-
-    def __init__(self, budget_bytes: int = GAINS_BYTES) -> None:
-        self._known = Memory[float](budget_bytes, getsizeof)
-        self._lock = Lock()
-
-    def of(
-        self, keys: Sequence[Hashable], compute: Callable[[list[int]], list[float]]
-    ) -> list[float]:
-        """Return the gain of each key; ``compute`` those at the given positions in one search."""
-        with self._lock:
-            known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
-        missing = {key: k for k, key in enumerate(keys) if key not in known}
-        if missing:
-            known |= zip(missing, compute(list(missing.values())), strict=True)
-            with self._lock:
-                for key in missing:
-                    if self._known.find(key) is None:
-                        self._known.add(key, known[key])
-        return [known[key] for key in keys]
-
-
 class EngineMemory:
     """What rules remember beyond their latest result: drives, spectra of responses, and gains.
 
@@ -354,7 +295,7 @@ class EngineMemory:
         self.signal_paths = PlacedSignalPaths()
         self.drives = Drives()
         self.clip_waveforms = ClipWaveforms(self.drives.clips)
-        self.gains = Gains()
+        self.gains = Memory[float](GAINS_BYTES, getsizeof)
         self.exact_spectra = ExactSpectra()
 
 
@@ -485,26 +426,6 @@ class ExactVoice:
         return float(abs(self.weight) * np.linalg.norm(self.drive.samples) * strongest)
 
 
-def exact_gains(
-    drives: Sequence[Drive],
-    spectra: Sequence[Complexes],
-    responses: Sequence[ResponseSpectrum],
-    stop: Stop,
-) -> list[float]:
-    """Return the gains of `unit_gains`, from maxima computed by definition.
-
-    Transforms tell where a maximum is; its value is computed exactly.
-    """
-    peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop)
-    gains = []
-    for drive, response, peak in zip(drives, responses, peaks, strict=True):
-        unit_voice = ExactVoice(drive=drive, delay_samples=0, weight=1.0, response=response)
-        output, axis = divmod(peak.channel, response.taps.shape[1])
-        value = float(unit_voice.exact(output + 1, axis, peak.time))
-        gains.append(unit_gain(value, drive, response))
-    return gains
-
-
 def _checked_positions(samples: Floats) -> list[int]:
     """Return random positions, most of them where samples are not 0: long designs rest a lot."""
     drawn = np.random.default_rng(0).integers(0, samples.size, _N_DRAWN)
@@ -600,12 +521,18 @@ class Responses:
         # A weak reference in the key does not keep the responses of the limb in memory.
         keys = [(ref(self.limb), voice.unit, voice.response.n_fft, in_blocks) for voice in voices]
 
-        def compute(which: list[int]) -> list[float]:
-            new = [voices[k] for k in which]
-            spectra = (
-                [] if in_blocks else [self.drive_spectrum(each.unit, each.drive) for each in new]
-            )
-            drives, responses = [each.drive for each in new], [each.response for each in new]
-            return unit_gains(drives, spectra, responses, stop)
-
-        return self.remembered.gains.of(keys, compute)
+        memory = self.remembered.gains
+        known = {key: gain for key in keys if (gain := memory.find(key)) is not None}
+        new = {key: voice for key, voice in zip(keys, voices, strict=True) if key not in known}
+        if new:
+            drives = [voice.drive for voice in new.values()]
+            responses = [voice.response for voice in new.values()]
+            spectra = [
+                self.drive_spectrum(voice.unit, voice.drive)
+                for voice in new.values()
+                if not in_blocks
+            ]
+            for key, gain in zip(new, unit_gains(drives, spectra, responses, stop), strict=True):
+                known[key] = gain
+                memory.add(key, gain)
+        return [known[key] for key in keys]

@@ -7,7 +7,7 @@ quantities it needs.  That is all the wiring there is.
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
-from graphlib import CycleError, TopologicalSorter
+from graphlib import TopologicalSorter
 from inspect import signature
 from operator import is_
 from typing import Any, NamedTuple
@@ -37,24 +37,16 @@ class Graph:
 
     Raises
     ------
-    ValueError
-        Two rules have the same name, or rules need each other in a circle.
+    CycleError
+        Rules need each other in a circle.
     """
 
     def __init__(self, *rules: Callable[..., Any]) -> None:
-        names = Counter(_name(rule) for rule in rules)
-        twice = [name for name, times in names.items() if times > 1]
-        if twice:
-            raise ValueError(f"two rules compute {quoted(twice[0])}; expected one")
         self._rules = {_name(rule): rule for rule in rules}
         self._needs = {
             name: tuple(signature(rule).parameters) for name, rule in self._rules.items()
         }
-        try:
-            self._sorted = tuple(TopologicalSorter(self._needs).static_order())
-        except CycleError as error:
-            circle = " -> ".join(error.args[1])
-            raise ValueError(f"rules need each other: {circle}") from error
+        self._sorted = tuple(TopologicalSorter(self._needs).static_order())
         self._orders: dict[tuple[frozenset[str], frozenset[str]], tuple[_Step, ...]] = {}
         self._memo: dict[str, tuple[list[Any], Any]] = {}
         self.runs: Counter[str] = Counter()

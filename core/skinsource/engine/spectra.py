@@ -115,11 +115,6 @@ class ResponseSpectrum(Response):
         begins = np.cumsum((0, *self.section_lengths[:-1]))
         return np.sqrt(np.add.reduceat(squares, begins, axis=-1))
 
-    @cached_property
-    def absolute_sums(self) -> Floats:
-        """Sum of magnitudes of each response, (n_channels,)."""
-        return np.abs(self.taps).sum(axis=-1).ravel()
-
 
 # A second thread pays from about a millisecond of work on.
 _SUMS_WORTH_A_THREAD = 10**6

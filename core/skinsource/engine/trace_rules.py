@@ -8,7 +8,6 @@ from skinsource.engine.gains import (
     Placed,
     Responses,
     TraceError,
-    exact_gains,
     trace_error_of,
 )
 from skinsource.engine.moments import Moments, Projection, without_main_axis
@@ -145,25 +144,14 @@ def trace_error(
     stop: Stop,
 ) -> TraceError | None:
     """Error of the selected traces; None where there is nothing to check."""
-    moving = [player for player in placed if player.moves]
-    to_places = responses.to(player.voice.location for player in moving)
-    drives = [player.drive for player in moving]
-    factors = [drive.factor for drive in drives]
-    if responses.scaling == "upstream" and moving:
-        spectra = [
-            responses.drive_spectrum(player.voice.unit, player.drive)
-            for player in moving
-            if responses.n_fft is not None
-        ]
-        factors = exact_gains(drives, spectra, to_places, stop)
     exact_voices = [
         ExactVoice(
             drive=player.drive,
             delay_samples=player.start,
-            weight=player.voice.amplitude * match_gain * factor,
+            weight=player.voice.amplitude * match_gain * gain,
             response=response,
         )
-        for player, response, factor in zip(moving, to_places, factors, strict=True)
+        for player, response, gain in responses.moving(placed, stop)
     ]
     return trace_error_of(axis_traces, shown_outputs, axis_numbers, exact_voices)
 

@@ -86,6 +86,8 @@ class ChannelsOnDemand:
         "__weakref__",
         "_active",
         "_exact_spectra",
+        "_latest_spectra",
+        "_latest_traces",
         "_n_fft",
         "_spectra",
         "_trace_spectra",
@@ -105,32 +107,47 @@ class ChannelsOnDemand:
         self._exact_spectra = exact_spectra
         self._traces: dict[Channel, Floats] = {}
         self._trace_spectra: dict[Channel, Complexes] = {}
+        # Those that were requested last, a row for each: mostly they are requested again.  Above
+        # are views of these rows, so that nothing is in memory twice.
+        self._latest_traces: tuple[list[Channel], Floats] = [], np.zeros(0)
+        self._latest_spectra: tuple[list[Channel], Complexes] = [], np.zeros(0, np.complex128)
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
         """Return the acceleration of some outputs, (n_outputs, n_axes, n_times)."""
         channels = [(output, axis) for output in outputs for axis in axes]
-        missing = [channel for channel in channels if channel not in self._traces]
-        if missing:
-            rows = inverse(self._spectra(missing), self._n_fft)[:, : self._active.size]
-            if not self._active.all():
-                np.copyto(rows, 0.0, where=~self._active)
-            self._traces.update(zip(missing, rows, strict=True))
-        traces = np.array([self._traces[channel] for channel in channels], np.float64)
-        return traces.reshape(len(outputs), len(axes), self._active.size)
+        if channels != self._latest_traces[0]:
+            missing = [channel for channel in channels if channel not in self._traces]
+            rows = np.zeros((0, self._active.size))
+            if missing:
+                rows = inverse(self._spectra(missing), self._n_fft)[:, : self._active.size]
+                if not self._active.all():
+                    np.copyto(rows, 0.0, where=~self._active)
+                self._traces.update(zip(missing, rows, strict=True))
+            if missing != channels:
+                rows = np.array([self._traces[channel] for channel in channels])
+                self._traces.update(zip(channels, rows, strict=True))
+            self._latest_traces = channels, rows
+        return self._latest_traces[1].reshape(len(outputs), len(axes), self._active.size)
 
     def trace_spectra(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Complexes:
         """Return spectra over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
         channels = [(output, axis) for output in outputs for axis in axes]
-        missing = [channel for channel in channels if channel not in self._trace_spectra]
-        if missing and self._exact_spectra is not None:
-            self._trace_spectra.update(zip(missing, self._exact_spectra(missing), strict=True))
-        elif missing:
-            self.traces(outputs, axes)
-            traces = np.array([self._traces[channel] for channel in missing])
-            rows = forward(traces, self._active.size)
+        n_bins = self._active.size // 2 + 1
+        if channels != self._latest_spectra[0]:
+            missing = [channel for channel in channels if channel not in self._trace_spectra]
+            rows = np.zeros((0, n_bins), np.complex128)
+            if missing and self._exact_spectra is not None:
+                rows = self._exact_spectra(missing)
+            elif missing:
+                self.traces(outputs, axes)
+                traces = np.array([self._traces[channel] for channel in missing])
+                rows = forward(traces, self._active.size)
             self._trace_spectra.update(zip(missing, rows, strict=True))
-        spectra = np.array([self._trace_spectra[channel] for channel in channels], np.complex128)
-        return spectra.reshape(len(outputs), len(axes), self._active.size // 2 + 1)
+            if missing != channels:
+                rows = np.array([self._trace_spectra[channel] for channel in channels])
+                self._trace_spectra.update(zip(channels, rows, strict=True))
+            self._latest_spectra = channels, rows
+        return self._latest_spectra[1].reshape(len(outputs), len(axes), n_bins)
 
 
 def run_on_two_threads(tasks: Iterable[Callable[[], None]]) -> None:

@@ -134,7 +134,12 @@ def pack(
             stop_if(stop)
             progress(number, len(writers), f"Writing {file_name}")
             write(folder / file_name)
-        about = _about(design, sorted(folder.iterdir()))
+        known = {"skinsource": __version__, "python": platform.python_version(), **versions()}
+        digests = {
+            file.name: hashlib.sha256(file.read_bytes()).hexdigest()
+            for file in sorted(folder.iterdir())
+        }
+        about = {"versions": known, "data": data_of(design), "sha256": digests}
         (folder / "about.json").write_text(json.dumps(about, indent=2) + "\n", "utf-8")
         with replacing(path) as temporary:
             with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -182,9 +187,3 @@ def _write_figure(path: Path, *, design: Design, view: View, kind: str) -> None:
     plot = importlib.import_module("skinsource.export.plot")
     figure = plot.map(design, view=view, outputs=view.outputs)
     path.write_bytes(plot.figure_content(figure, kind))
-
-
-def _about(design: Design, files: list[Path]) -> dict[str, object]:
-    known = {"skinsource": __version__, "python": platform.python_version(), **versions()}
-    digests = {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in files}
-    return {"versions": known, "data": data_of(design), "sha256": digests}

@@ -1,9 +1,9 @@
 """A film as MP4, WebM or GIF, written whole or not at all; it needs the extra ``video``."""
 
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,7 +83,19 @@ def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Ite
     if any(side < 2 or side % 2 for side in size):
         raise InvalidInputError(f"the frames have the size {size}, expected even numbers of pixels")
     with replacing(path) as temporary:
-        writer = _writer(temporary, size, kind, path.suffix.lower()[1:], about)
+        encoder = package_of_extra("imageio_ffmpeg", "video")
+        described = ("-metadata", f"comment={printable(about)[:500]}")
+        writer = encoder.write_frames(
+            str(temporary),
+            size,
+            fps=kind.frames_per_s,
+            codec=kind.codec,
+            pix_fmt_out="pal8" if kind.codec == "gif" else "yuv420p",
+            macro_block_size=1,
+            quality=None,
+            ffmpeg_log_level="error",
+            output_params=[*kind.options, *described, "-f", path.suffix.lower()[1:]],
+        )
         try:
             writer.send(None)
 
@@ -101,24 +113,6 @@ def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Ite
         stop_if(stop)
         if temporary.stat().st_size == 0:
             raise _write_error(path, OSError("the encoder wrote nothing"))
-
-
-def _writer(
-    path: Path, size: tuple[int, int], kind: _Kind, file_format: str, about: str
-) -> Generator[None, Any, None]:
-    encoder = package_of_extra("imageio_ffmpeg", "video")
-    described = ("-metadata", f"comment={printable(about)[:500]}", "-f", file_format)
-    return encoder.write_frames(
-        str(path),
-        size,
-        fps=kind.frames_per_s,
-        codec=kind.codec,
-        pix_fmt_out="pal8" if kind.codec == "gif" else "yuv420p",
-        macro_block_size=1,
-        quality=None,
-        ffmpeg_log_level="error",
-        output_params=[*kind.options, *described],
-    )
 
 
 def _kind_of(path: Path) -> _Kind:

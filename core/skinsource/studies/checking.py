@@ -253,7 +253,17 @@ def open_recorded(
         field, stated_hz = _read_responses(reader, file, n_outputs, n_axes, stop)
     if not np.isfinite(field).all():
         raise _recording_error(file, "it holds values that are not finite numbers, expected m/s²")
-    return _resampled(file, field, stated_hz or rate_hz or sample_rate_hz, sample_rate_hz)
+    from_hz = stated_hz or rate_hz or sample_rate_hz
+    if abs(from_hz - sample_rate_hz) <= _SAME_HZ:
+        return field
+    rates = [round(from_hz), round(sample_rate_hz)]
+    if max(abs(rates[0] - from_hz), abs(rates[1] - sample_rate_hz)) > _SAME_HZ:
+        raise _recording_error(
+            file,
+            f"{from_hz:g} Hz, expected a whole number of hertz, or the rate of the limb, "
+            f"{sample_rate_hz:g} Hz. Resample it before",
+        )
+    return resample(field, *rates)
 
 
 def _read_responses(
@@ -362,19 +372,6 @@ def _rate_of_times(
             "its time stamps are not steady, expected steps of one length. Resample it before",
         )
     return float(clock.rate_hz)
-
-
-def _resampled(file: Path, field: Floats, from_hz: float, to_hz: float) -> Floats:
-    if abs(from_hz - to_hz) <= _SAME_HZ:
-        return field
-    rates = [round(from_hz), round(to_hz)]
-    if max(abs(rates[0] - from_hz), abs(rates[1] - to_hz)) > _SAME_HZ:
-        raise _recording_error(
-            file,
-            f"{from_hz:g} Hz, expected a whole number of hertz, or the rate of the limb, "
-            f"{to_hz:g} Hz. Resample it before",
-        )
-    return resample(field, *rates)
 
 
 def _recording_error(file: Path, reason: str) -> RecordingError:
@@ -732,7 +729,13 @@ def condition_of(
     # The recording is compared with the prediction of the studio's graph, which people use.
     basis = _evaluate(design, view, stop, "limb_data", "response_samples", "stimulus_start_s")
     limb = basis["limb_data"]
-    _check_length(name, limb, len(chosen), basis["response_samples"])
+    n_times = basis["response_samples"]
+    most = _MOST_VALUES // (limb.n_outputs * len(chosen))
+    if n_times > most:
+        raise InvalidInputError(
+            f"{quoted(name)} is {n_times / limb.sample_rate_hz:.1f} s long, expected at most "
+            f"{most / limb.sample_rate_hz:.1f} s: all channels are compared"
+        )
     view = replace(view, outputs=tuple(range(1, limb.n_outputs + 1)))
     predicted = _evaluate(design, view, stop, "axis_traces", "validity")
     field = predicted["axis_traces"]
@@ -807,15 +810,6 @@ def _noise_rms(
     numbers = [limb.axes.index(axis) for axis in axes]
     noise: Floats = np.sqrt(np.mean(np.square(noises), axis=0))[:, numbers]
     return noise, "limb"
-
-
-def _check_length(name: str, limb: Limb, n_axes: int, n_times: int) -> None:
-    most = _MOST_VALUES // (limb.n_outputs * n_axes)
-    if n_times > most:
-        raise InvalidInputError(
-            f"{quoted(name)} is {n_times / limb.sample_rate_hz:.1f} s long, expected at most "
-            f"{most / limb.sample_rate_hz:.1f} s: all channels are compared"
-        )
 
 
 def _linearity_checks(

@@ -205,7 +205,11 @@ class Duplex:
         except self._library.PortAudioError as error:
             raise PlaybackError(self._refusal(error)) from error
         finally:
-            self._fall_silent()
+            if self._streams[-1].active:
+                # Closing the stream at once would make a click.
+                self._deck.stop_at_once()
+                self._finished.wait(_LONGEST_WAIT_S)
+            self._close()
         ending = self._deck.ending
         if ending is None or (ending.reason == "end" and self._incomplete):
             raise PlaybackError(
@@ -283,13 +287,6 @@ class Duplex:
             return ""
         card = self._card
         return card.inputs.name if last == self._recorded_s else card.device.name
-
-    def _fall_silent(self) -> None:
-        if self._streams[-1].active:
-            # Closing the stream at once would make a click.
-            self._deck.stop_at_once()
-            self._finished.wait(_LONGEST_WAIT_S)
-        self._close()
 
     def _close(self) -> None:
         for stream in self._streams:

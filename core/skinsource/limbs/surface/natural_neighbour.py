@@ -266,12 +266,18 @@ def natural_neighbour_weights(triangulation: Triangulation, points: Floats) -> S
     target = local.copy()
     target[beyond], ends, end_weights = nearest_on_hull(triangulation, local[beyond])
     of, site, area = _stolen_areas(triangulation, local[regular], triangle[regular])
-    weights = _weight_matrix(
-        np.concatenate([sites, np.repeat(beyond, 2), regular[of]]),
-        np.concatenate([at_site[sites], ends.ravel(), site]),
-        np.concatenate([np.ones(len(sites)), end_weights.ravel(), area]),
-        (len(points), len(triangulation.sites)),
-    )
+    row = np.concatenate([sites, np.repeat(beyond, 2), regular[of]])
+    column = np.concatenate([at_site[sites], ends.ravel(), site])
+    value = np.concatenate([np.ones(len(sites)), end_weights.ravel(), area])
+    # Entries of equal row and column are summed, rounding residues dropped, rows sum to 1.
+    place = (row.astype(np.int32), column.astype(np.int32))
+    shape = (len(points), len(triangulation.sites))
+    weights = scipy.sparse.csr_array(scipy.sparse.coo_array((value, place), shape=shape))
+    weights.data[weights.data < 0] = 0.0
+    total: Floats = np.asarray(weights.sum(axis=1))
+    weights.data /= np.repeat(total, np.diff(weights.indptr))
+    weights.data[weights.data < RESIDUE] = 0.0
+    weights.eliminate_zeros()
     gap = weights @ triangulation.sites - target
     missed = ~(np.hypot(*gap.T) <= LINEAR_PRECISION * triangulation.extent)
     missed |= np.diff(weights.indptr) == 0
@@ -336,20 +342,6 @@ def _border_shares(q: Floats, u: Floats, v: Floats) -> tuple[Floats, Floats]:
     of_u = (over_q + dot(to_u, to_u) * dot(edge, to_v)) / double_area
     of_v = (over_q - dot(to_v, to_v) * dot(edge, to_u)) / double_area
     return of_u, of_v
-
-
-def _weight_matrix(
-    row: Indices, column: Indices, value: Floats, shape: tuple[int, int]
-) -> "csr_array[np.float64]":
-    """Sum entries of equal row and column, drop rounding residues, make rows sum to 1."""
-    place = (row.astype(np.int32), column.astype(np.int32))
-    weights = scipy.sparse.csr_array(scipy.sparse.coo_array((value, place), shape=shape))
-    weights.data[weights.data < 0] = 0.0
-    total: Floats = np.asarray(weights.sum(axis=1))
-    weights.data /= np.repeat(total, np.diff(weights.indptr))
-    weights.data[weights.data < RESIDUE] = 0.0
-    weights.eliminate_zeros()
-    return weights
 
 
 def _with_linear_rows(

@@ -410,7 +410,17 @@ class _Reader:
             self._take()
             self._emit(Step("number", token.text, token.column, number=number))
         elif token.kind == "name":
-            self._add_name(token)
+            if token.text in FUNCTIONS:
+                self._take()
+                self._add_call(token, FUNCTIONS[token.text])
+            elif token.text in NAMES:
+                self._take()
+                self._emit(Step("name", token.text, token.column))
+            else:
+                known = (*NAMES, *FUNCTIONS)
+                near = get_close_matches(token.text[:20].lower(), known, 1, 0.65)
+                expected = near[0] if near else f"one of {', '.join(known)}"
+                raise mistake(self._text, token.column, token.text, expected)
         elif token.kind == "(":
             self._take()
             self._add_inner("(", token.column, 0)
@@ -423,19 +433,6 @@ class _Reader:
             self._emit(Step("operator", "negative", token.column, takes=1))
         else:
             raise mistake(self._text, token.column, token.shown, _VALUE)
-
-    def _add_name(self, token: Token) -> None:
-        if token.text in FUNCTIONS:
-            self._take()
-            self._add_call(token, FUNCTIONS[token.text])
-        elif token.text in NAMES:
-            self._take()
-            self._emit(Step("name", token.text, token.column))
-        else:
-            known = (*NAMES, *FUNCTIONS)
-            near = get_close_matches(token.text[:20].lower(), known, 1, 0.65)
-            expected = near[0] if near else f"one of {', '.join(known)}"
-            raise mistake(self._text, token.column, token.text, expected)
 
     def _add_call(self, name: Token, call: Function) -> None:
         opened = self._token

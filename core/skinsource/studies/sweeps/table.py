@@ -195,12 +195,20 @@ class Journal:
             if first.startswith(content):
                 content = b""
             elif not _is_nearly(content[: len(first)], first):
-                _check_same_sweep(path, content)
-                _set_aside(path)
+                if _content_of(content.partition(b"\n")[0]) is not None:
+                    raise InvalidInputError(
+                        f"{path_text(path)} belongs to another sweep. Choose another folder, or "
+                        "delete the file to start again."
+                    )
+                names = (path.with_stem(f"{path.stem} set aside {number}") for number in count(1))
+                path.rename(next(name for name in names if not path_exists(name)))
                 content = b""
             # An incomplete last line is deleted.
             n_complete = max(len(first), content.rfind(b"\n") + 1) if content else 0
-            self._read(content[len(first) : n_complete])
+            for line in content[len(first) : n_complete].split(b"\n"):
+                tree = _content_of(line)
+                if tree is not None:
+                    self.rows[int(tree["stimulus"])] = _outcome_of(tree)
             self._file = path.open("r+b" if path_exists(path) else "w+b")
             self._file.truncate(n_complete)
             self._file.seek(n_complete)
@@ -220,12 +228,6 @@ class Journal:
     def close(self) -> None:
         """Close the file; it stays."""
         self._file.close()
-
-    def _read(self, content: bytes) -> None:
-        for line in content.split(b"\n"):
-            tree = _content_of(line)
-            if tree is not None:
-                self.rows[int(tree["stimulus"])] = _outcome_of(tree)
 
     def _write(self, line: bytes) -> None:
         with storage_errors_of(self.path):
@@ -255,20 +257,6 @@ def _is_nearly(line: bytes, expected: bytes) -> bool:
     """Return whether ``line`` is ``expected``, perhaps with a few damaged bytes."""
     damaged = sum(a != b for a, b in zip(line, expected, strict=False))
     return len(line) == len(expected) and damaged <= _MOST_DAMAGED
-
-
-def _check_same_sweep(path: Path, content: bytes) -> None:
-    if _content_of(content.partition(b"\n")[0]) is not None:
-        raise InvalidInputError(
-            f"{path_text(path)} belongs to another sweep. Choose another folder, or delete the "
-            "file to start again."
-        )
-
-
-def _set_aside(path: Path) -> None:
-    """Rename ``path`` to a free name."""
-    names = (path.with_stem(f"{path.stem} set aside {number}") for number in count(1))
-    path.rename(next(name for name in names if not path_exists(name)))
 
 
 def _finite(metrics: Metrics) -> dict[str, float | None]:
@@ -413,8 +401,14 @@ class StimulusFiles:
         if not waiting:
             return
         make_folder(out / FOLDER)
-        full_scale = self._full_scale(plan, table, out, progress=progress, stop=stop)
-        options = StimulusOptions(full_scale=full_scale)
+        # The largest drive of all stimuli, at the rate of the files; 1 for silence.
+        kind, peaks = format_named(self.format), []
+        for done, (_, design) in enumerate(self._files(plan, table, out / FOLDER)):
+            stop_if(stop)
+            progress(done, len(table), "Looking for the largest drive")
+            prepared = prepare_stimulus(design, kind, self.rate_hz, StimulusOptions(), stop=stop)
+            peaks.append(prepared.peak)
+        options = StimulusOptions(full_scale=common_full_scale(peaks))
         for done, (path, design) in enumerate(waiting):
             stop_if(stop)
             progress(done, len(waiting), f"Exporting {path.name}")
@@ -439,15 +433,3 @@ class StimulusFiles:
             if int(number) not in failed:
                 path = folder / f"{int(number):0{width}}{suffix}"
                 yield path, louder(plan.design_of(int(number)), float(factor))
-
-    def _full_scale(
-        self, plan: Plan, table: SweepTable, out: Path, *, progress: Progress, stop: Stop
-    ) -> float:
-        """Return the largest drive of all stimuli, at the rate of the files; 1 for silence."""
-        kind, peaks = format_named(self.format), []
-        for done, (_, design) in enumerate(self._files(plan, table, out / FOLDER)):
-            stop_if(stop)
-            progress(done, len(table), "Looking for the largest drive")
-            prepared = prepare_stimulus(design, kind, self.rate_hz, StimulusOptions(), stop=stop)
-            peaks.append(prepared.peak)
-        return common_full_scale(peaks)
