@@ -543,7 +543,6 @@ class HandPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design, self._view = Design(limb=""), View()
         # Ids of the inputs that are pointed at here, and in another panel.
         self._pointed_at: int | None = None
         self._elsewhere: int | None = None

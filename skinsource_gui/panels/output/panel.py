@@ -525,8 +525,7 @@ class OutputPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design = Design(limb="")
-        self._view, self._settings, self._played = View(), OutputSettings(), Played()
+        self._settings, self._played = OutputSettings(), Played()
         self._drawn: object = None
         self.choices = ActuatorChoices(self)
         self.choices.changed.connect(self._choose)
