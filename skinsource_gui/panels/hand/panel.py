@@ -523,9 +523,7 @@ class HandDiagram(QtWidgets.QWidget):
 
     def describe(self, site: int) -> None:
         """Say what is at a site to assistive technology."""
-        text = self.stage.description(site)
-        if text != self.accessibleDescription():
-            self.setAccessibleDescription(text)
+        self.setAccessibleDescription(self.stage.description(site))
 
 
 class HandPanel(Panel):

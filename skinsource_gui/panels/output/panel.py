@@ -699,9 +699,7 @@ class OutputPanel(Panel):
             sentences.append(
                 f"The device ran out of samples {played.underruns} times: choose a longer latency."
             )
-        text = "\n".join(sentences)
-        if text != self.text.text():
-            self.text.setText(text)
+        self.text.setText("\n".join(sentences))
 
     def _meaning(self, played: Played) -> str:
         """Return what a gain of 0 dB means, and whether it is calibrated."""
