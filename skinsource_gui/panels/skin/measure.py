@@ -148,7 +148,7 @@ class MeasureLine(QtWidgets.QWidget):
         self.rms_window.edited.connect(lambda window_s, _: self._choose("rms_window_s", window_s))
 
     def show_state(
-        self, design: Design | None, view: View, settings: SkinSettings, content: MapContent
+        self, design: Design, view: View, settings: SkinSettings, content: MapContent
     ) -> None:
         """Show what the map shows, and how it is looked at."""
         before = self._content.quantity, self._settings, self._view.axes
@@ -156,7 +156,7 @@ class MeasureLine(QtWidgets.QWidget):
             offer_arm(self.arm, (content.limb_map,), _ARM_HINT)
         self._design, self._view, self._settings = design, view, settings
         self._content = content
-        actuated = view.span == "record" and design and design.actuated
+        actuated = view.span == "record" and design.actuated
         without = ": its length without the actuator" if actuated else ""
         show_tooltip(self.span, tooltip("Levels", f"Time over which a level is the RMS{without}"))
         if before == (content.quantity, settings, view.axes):
