@@ -71,7 +71,8 @@ def end_if_stuck(result: int) -> None:
 _LOOK_EVERY_MS = 1000
 #: It takes milliseconds, and so does the edit after it, which gets new pages from the system.
 _GIVE_BACK_EVERY_MS = 2000
-#: Exports evaluate beside the engine, and import modules whose sources PySide has read.
+#: Exports evaluate beside the engine, and import modules; PySide reads the source of each module
+#: that imports another, and Python keeps all of it.
 _FORGET_EVERY_MS = 3_000
 #: As Python has it: so many new objects are looked through, and of so many times one time older
 #: ones too.
@@ -90,8 +91,6 @@ def manage_garbage_collection(owner: QObject) -> None:
     owner
         Garbage is collected until it ends.
     """
-    # PySide reads the source of each module that imports another, and Python keeps all of it.
-    linecache.clearcache()
     gc.collect()
     gc.freeze()
     GarbageCollector(owner)

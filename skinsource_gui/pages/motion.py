@@ -36,7 +36,7 @@ from skinsource_gui.fields.parts import PartFields
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import HandLayout, Marker, drawing_of, paint_occupied
-from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
+from skinsource_gui.plots.preview import ClipStrip, Lane, strip_clip
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.overlays import Overlay
@@ -121,13 +121,12 @@ class Draft(QObject):
         group = after.motions[-1 if self._index is None else self._index]
         tracks = [after.input(id) for id in outcome.view.selected_inputs]
         largest = max(abs(track.amplitude) for track in tracks) or 1.0
-        drawings = ClipDrawings(self._limb.sample_rate_hz)
         return tuple(
             Lane(
                 place=track.location,
                 colour=track.colour,
                 clips=tuple(
-                    drawings.of(clip, track.amplitude / largest)
+                    strip_clip(clip, track.amplitude / largest, self._limb.sample_rate_hz)
                     for clip in track.clips
                     if clip.id in group.clips
                 ),

@@ -28,11 +28,8 @@ class SignalPanel(OutputsPanel):
         `objectName` of the plot; what it shows, for those who do not see it.
     """
 
-    def __init__(
-        self, plot_name: str, accessible_name: str, parent: QtWidgets.QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
-        self._results: Mapping[str, Any] | None = None
+    def __init__(self, plot_name: str, accessible_name: str) -> None:
+        super().__init__()
         self._plot = SignalView(plot_name, accessible_name, self, self._staleness)
         self.setFocusProxy(self._plot.plot)
         in_column(self._plot, of=self, margins=0)

@@ -84,8 +84,7 @@ class NoteLabel(QtWidgets.QLabel):
             if self._lines_of(text) <= _MOST_LINES:
                 break
             text = _BETWEEN.join((*parts[:count], f"+{len(parts) - count}"))
-        if text != self.text():
-            self.setText(text)
+        self.setText(text)
         self._held_px = 0
         needed = self.heightForWidth(self.width())
         self._held_px = max(held_px, needed)

@@ -1,8 +1,8 @@
 """Small pictures of what a design plays: a spectrum, a waveform, and clips on tracks."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import lru_cache, partial
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
@@ -11,9 +11,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, QSizeF, Qt
 
 from skinsource.base.conventions import SAMPLE_RATE_HZ, Band, Floats
 from skinsource.design.clips import Clip, Fragment
-from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import played
-from skinsource.design.waveform import Waveform
 from skinsource.engine.memory import Memory
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import visible_course
@@ -334,22 +332,18 @@ class Lane:
     clips: tuple[StripClip, ...]
 
 
-class ClipDrawings:
-    """Samples clips; equal clips share their samples, because some motions repeat them often."""
+# Some motions repeat equal clips often.
+@lru_cache(maxsize=32)
+def _plain_samples(clip: Clip, sample_rate_hz: float) -> Floats:
+    samples = played(clip.waveform, clip.effects, sample_rate_hz)
+    return samples / max(float(np.abs(samples).max(initial=0.0)), 1.0)
 
-    def __init__(self, sample_rate_hz: float) -> None:
-        self._rate_hz = sample_rate_hz
-        self._cached: dict[tuple[Waveform, tuple[Effect, ...], float], Floats] = {}
 
-    def of(self, clip: Clip, factor: float) -> StripClip:
-        """Return a clip, its samples times its gain and ``factor``, scaled down to at most 1."""
-        key = (clip.waveform, clip.effects, clip.gain * factor)
-        samples = self._cached.get(key)
-        if samples is None:
-            plain = played(clip.waveform, clip.effects, self._rate_hz)
-            reach = max(float(np.abs(plain).max(initial=0.0)), 1.0)
-            samples = self._cached[key] = plain * (clip.gain * factor / reach)
-        return StripClip(start_s=clip.onset_s, duration_s=clip.duration_s, samples=samples)
+def strip_clip(clip: Clip, factor: float, sample_rate_hz: float) -> StripClip:
+    """Return a clip, its samples scaled down to at most 1, times its gain and ``factor``."""
+    plain = _plain_samples(replace(clip, id=0, onset_s=0.0, gain=1.0), sample_rate_hz)
+    samples = plain * (clip.gain * factor)
+    return StripClip(start_s=clip.onset_s, duration_s=clip.duration_s, samples=samples)
 
 
 def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
@@ -364,12 +358,12 @@ def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
         (abs(lane.amplitude * clip.gain) for lane in fragment.lanes for clip in lane.clips),
         default=1.0,
     )
-    factor, shown = 1.0 / (largest or 1.0), ClipDrawings(sample_rate_hz)
+    factor, rate_hz = 1.0 / (largest or 1.0), sample_rate_hz
     return tuple(
         Lane(
             place=lane.location,
             colour=number,
-            clips=tuple(shown.of(clip, lane.amplitude * factor) for clip in lane.clips),
+            clips=tuple(strip_clip(clip, lane.amplitude * factor, rate_hz) for clip in lane.clips),
         )
         for number, lane in enumerate(fragment.lanes)
     )

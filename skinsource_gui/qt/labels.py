@@ -55,8 +55,7 @@ class FittingLabel(QtWidgets.QLabel):
         text = next(fitting, None) or self.fontMetrics().elidedText(
             self._phrases[-1], Qt.TextElideMode.ElideRight, self.contentsRect().width()
         )
-        if text != self.text():
-            self.setText(text)
+        self.setText(text)
 
     def _width_of(self, text: str) -> int:
         margins = self.contentsMargins()

@@ -11,7 +11,6 @@ There is no setting for it: the function that searches is replaced, in the pinne
 import importlib.util
 import sys
 from collections.abc import Sequence
-from types import ModuleType
 
 UNCALLED = ("numpy.f2py", "numpy.testing")
 
@@ -44,9 +43,5 @@ def leave_sources_unread() -> bool:
     feature = sys.modules.get(_FEATURE)
     if not hasattr(feature, _SEARCHES):
         return False
-    setattr(feature, _SEARCHES, _uses_default_spelling)
-    return True
-
-
-def _uses_default_spelling(module: ModuleType) -> bool:
+    setattr(feature, _SEARCHES, lambda _module: True)
     return True

@@ -281,13 +281,10 @@ class PanelPictures:
         with panel.showing(view), self._metadata.as_stored(), stage as make_room:
             self._catch_up()
             # Parts that depend on results take their room now.
-            QtWidgets.QApplication.processEvents(
-                QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents
-            )
+            no_input = QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents
+            QtWidgets.QApplication.processEvents(no_input)
             make_room()
-            QtWidgets.QApplication.processEvents(
-                QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents
-            )
+            QtWidgets.QApplication.processEvents(no_input)
             with self._in_colours(theme):
                 panel.draw_picture(painter, width, height, theme)
 

@@ -16,6 +16,7 @@ from skinsource.design import edits
 from skinsource.design.edits.edit import Edit
 from skinsource.perception.validity import Finding, Findings, noisy_outputs
 from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.layouts import show_tooltip
 from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.document import Document
@@ -107,12 +108,10 @@ class ConditionsChip(QtWidgets.QToolButton):
         about = f"{_OLDER}\n" * stale + _states_text(self.findings)
         caution = text.startswith(_CAUTION)
         set_tone(self, "warning" if caution and not stale else "dim")
-        if text != self.text():
-            self.setText(text)
-            self.setAccessibleName(f"Conditions of the measurement: {text}")
-        if about != self.accessibleDescription():
-            self.setAccessibleDescription(about)
-            self.setToolTip(f"{about}\nClick to see what can be done.")
+        self.setText(text)
+        self.setAccessibleName(f"Conditions of the measurement: {text}")
+        self.setAccessibleDescription(about)
+        show_tooltip(self, f"{about}\nClick to see what can be done.")
 
 
 _REPAIRS = {

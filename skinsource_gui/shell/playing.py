@@ -209,13 +209,11 @@ class OutputButton(QtWidgets.QToolButton):
         if design.actuation is not None:
             chosen = design.actuation.title
         state = _STATES[played.actuators]
-        name = f"Output: {chosen} · {state}"
-        if name != self.accessibleName():
-            metrics, elide = self.fontMetrics(), Qt.TextElideMode.ElideRight
-            cut = metrics.elidedText(chosen, elide, _TITLE_EM * metrics.horizontalAdvance("m"))
-            self.setText(f"Output: {cut} · {state}")
-            self.setAccessibleName(name)
-            set_tone(self, "dim" if played.actuators == "off" else "warning")
+        metrics, elide = self.fontMetrics(), Qt.TextElideMode.ElideRight
+        cut = metrics.elidedText(chosen, elide, _TITLE_EM * metrics.horizontalAdvance("m"))
+        self.setText(f"Output: {cut} · {state}")
+        self.setAccessibleName(f"Output: {chosen} · {state}")
+        set_tone(self, "dim" if played.actuators == "off" else "warning")
 
 
 # How often levels are shown.

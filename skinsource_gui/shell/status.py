@@ -27,7 +27,7 @@ from skinsource_gui.panels.skin.settings import (
 )
 from skinsource_gui.qt.buttons import menu_of, page_button, progress_bar
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import Policy, in_row, named
+from skinsource_gui.qt.layouts import Policy, in_row, named, show_tooltip
 from skinsource_gui.qt.overlays import Overlay, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.qt.windows import WindowEvents
@@ -324,10 +324,9 @@ class MatchNote(QtWidgets.QToolButton):
         """Show the gain with which ``design`` is shown."""
         gain = view.match_gain(design)
         text = match_text(gain)
-        if text != self.accessibleName():
-            self.setText(text)
-            self.setAccessibleName(text)
-            self.setToolTip(f"{text}. {_ABOUT}" if text else "")
+        self.setText(text)
+        self.setAccessibleName(text)
+        show_tooltip(self, f"{text}. {_ABOUT}" if text else "")
         self.setVisible(bool(text))
         if bool(text) == (self._frame is not None):
             return

@@ -86,6 +86,10 @@ class Panel(ShowsStaleness):
     #: Whether Tab goes from top to bottom, as its fields stand, whenever each was made.
     reads_down: ClassVar[bool] = False
 
+    # The present ones, from the first `show_state` on.
+    _design = Design(limb="")
+    _view = View()
+
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
     #: The new `View`.
@@ -244,10 +248,9 @@ class OutputsPanel(Panel):
         Those of the panel, a frozen dataclass, if it has any.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._view = View()
-        self.settings: Any = None
+    settings: Any = None
+    # What was drawn last, where it may be drawn again in another way.
+    _results: Mapping[str, Any] | None = None
 
     @property
     def no_outputs(self) -> str:

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QPushButton
+from PySide6.QtWidgets import QPushButton
 
 from skinsource.base.job import stop_if
 from skinsource.studies.accuracy.cases import Resampling, stored_cases
@@ -92,11 +92,9 @@ def test_measuring_ends_with_whoever_wanted_it(window, page, qtbot, monkeypatch,
         assert page.findChild(QPushButton, "measure").text() == "Measure now"
 
 
-def test_the_table_is_saved_as_numbers(page, qtbot, tmp_path, monkeypatch):
+def test_the_table_is_saved_as_numbers(page, qtbot, tmp_path, answers):
     measure(page, qtbot)
-    monkeypatch.setattr(
-        QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "table.csv"), "")
-    )
+    answers["save"] = str(tmp_path / "table.csv")
     press(page, "save_table")
     assert page.message.text() == "Saved table.csv."
     with (tmp_path / "table.csv").open(encoding="utf-8", newline="") as file:

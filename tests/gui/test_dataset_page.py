@@ -24,23 +24,19 @@ def page(window):
     return DatasetPage(window.runner, window.limbs, window)
 
 
-def text_of(page: DatasetPage) -> str:
-    return page.message.text()
-
-
 def test_what_there_is_to_note_is_said_after_the_installation(window, qtbot, synthetic_download):
     work = partial(install, synthetic_download, unpublished=True)
     window.runner.add(Job(INSTALLATIONS[0], work))
     # Another page began it.
     page = DatasetPage(window.runner, window.limbs, window)
-    qtbot.waitUntil(lambda: "4 measured limbs are installed" in text_of(page), timeout=60_000)
-    assert "Note: made from files that are not the published ones: " in text_of(page)
+    qtbot.waitUntil(lambda: "4 measured limbs are installed" in page.message.text(), timeout=60_000)
+    assert "Note: made from files that are not the published ones: " in page.message.text()
 
 
 def test_other_map_files_are_refused_with_the_reason(page, qtbot, synthetic_download, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(synthetic_download))
     page.findChild(QPushButton, "install_from_folder").click()
-    qtbot.waitUntil(lambda: "not the published content" in text_of(page), timeout=60_000)
+    qtbot.waitUntil(lambda: "not the published content" in page.message.text(), timeout=60_000)
 
 
 def test_installing_from_a_folder_can_be_cancelled(page, window, qtbot, tmp_path, monkeypatch):
@@ -57,11 +53,11 @@ def test_installing_from_a_folder_can_be_cancelled(page, window, qtbot, tmp_path
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
     page.show()
     page.findChild(QPushButton, "install_from_folder").click()
-    qtbot.waitUntil(lambda: text_of(page) == "Reading the responses…")
+    qtbot.waitUntil(lambda: page.message.text() == "Reading the responses…")
     assert asked == [tmp_path]
     assert not page.findChild(QPushButton, "download").isEnabled()
     page.findChild(QPushButton, "cancel_installing").click()
-    qtbot.waitUntil(lambda: text_of(page) == "Cancelled. Nothing was changed.")
+    qtbot.waitUntil(lambda: page.message.text() == "Cancelled. Nothing was changed.")
     qtbot.waitUntil(lambda: not window.runner.busy)
     assert page.findChild(QPushButton, "download").isEnabled()
     assert not page.findChild(QPushButton, "cancel_installing").isVisible()

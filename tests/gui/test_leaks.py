@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 
 import skinsource as ss
 from skinsource.base.run_limited import resident_bytes
-from skinsource_gui.app.app import GarbageCollector, manage_garbage_collection
+from skinsource_gui.app.app import GarbageCollector
 
 #: What each leaves behind is there so many times.
 OPENINGS = 4
@@ -195,15 +195,6 @@ def test_what_exports_evaluated_and_sources_that_imports_read_are_dropped_in_tim
     gc.collect()
     assert limb() is None
     assert not linecache.cache
-
-
-def test_sources_that_were_read_for_imports_are_dropped(qapp, monkeypatch):
-    monkeypatch.setattr(gc, "freeze", lambda: None)
-    assert linecache.getlines(__file__)
-    owner = QObject()
-    manage_garbage_collection(owner)
-    assert not linecache.cache
-    owner.deleteLater()
 
 
 def test_a_window_that_was_closed_is_freed_with_its_panels_graphs_and_worker(make_window):

@@ -42,10 +42,6 @@ def button(page, name):
     return page.findChild(QPushButton, name)
 
 
-def cells(page, row):
-    return [page.table.item(row, column).text() for column in range(page.table.columnCount())]
-
-
 def test_layouts_for_what_is_painted_are_ranked_with_their_loss_on_each_limb_and_copied(
     open_page, qtbot
 ):
@@ -57,7 +53,7 @@ def test_layouts_for_what_is_painted_are_ranked_with_their_loss_on_each_limb_and
     for row, each in enumerate(found.ranked):
         losses = [inverse.layout(name, [30], each.inputs).loss_db for name in PEOPLE]
         numbers = [each.score_db, each.loss_db, *losses]
-        texts = cells(page, row)
+        texts = [page.table.item(row, k).text() for k in range(page.table.columnCount())]
         assert texts[0] == ", ".join(map(str, each.inputs))
         assert texts[2:] == [f"{number:.1f}".replace("-", "−") for number in numbers]
     assert page.message.text().startswith("Every set was tried. ")

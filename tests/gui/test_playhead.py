@@ -37,13 +37,10 @@ def plot(window):
     return window.findChild(Plot, "traces-plot")
 
 
-def x_of(plot, time_s):
-    """Where a time is in the traces, px."""
-    return plot.places.left + plot.x_window.part(time_s) * plot.places.area.width()
-
-
 def at(plot, time_s):
-    return QPoint(round(x_of(plot, time_s)), round(plot.places.area.center().y()))
+    area = plot.places.area
+    x = plot.places.left + plot.x_window.part(time_s) * area.width()
+    return QPoint(round(x), round(area.center().y()))
 
 
 def drag(plot, start_s, end_s, *, release=True):

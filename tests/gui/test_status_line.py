@@ -104,11 +104,6 @@ def shown_docks(window):
     return [dock for dock in window.docks.values() if dock.isVisible()]
 
 
-def lies_over(window, part):
-    """Names of the panels that it covers."""
-    return [dock.objectName() for dock in shown_docks(window) if dock.geometry().intersects(part)]
-
-
 def test_a_notice_that_stays_is_a_card_over_the_map_and_moves_nothing(window, settle):
     places = [dock.geometry() for dock in shown_docks(window)]
     window.reports.complain(LONG)
@@ -119,7 +114,7 @@ def test_a_notice_that_stays_is_a_card_over_the_map_and_moves_nothing(window, se
     assert card.geometry().left() <= 10
     assert card.geometry().bottom() < window.statusBar().y()
     assert card.geometry().top() > window.menuWidget().height()
-    assert "skin" in lies_over(window, card.geometry())
+    assert window.docks["skin"].geometry().intersects(card.geometry())
     colours = window.panel("skin").colour_bar
     assert card.geometry().bottom() < colours.mapTo(window, QPoint()).y()
     assert [dock.geometry() for dock in shown_docks(window)] == places

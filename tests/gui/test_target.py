@@ -25,16 +25,13 @@ from tests.gui.timeline.bench import LanesBench
 START = Design(limb="synthetic-1", inputs=(track(7, Tone()),))
 
 
-def view_with(brush):
-    return with_settings(View(), TARGET, TargetSettings(brush=brush))
-
-
 @pytest.fixture
 def at_target(open_window, qtbot):
     """The studio with the strong brush, and a function that waits until all is solved."""
 
     def begin(brush="strong", design=START):
-        window = open_window(design, view_with(brush))
+        view = with_settings(View(), TARGET, TargetSettings(brush=brush))
+        window = open_window(design, view)
         window.workspaces.bring(TARGET)
 
         def settled():

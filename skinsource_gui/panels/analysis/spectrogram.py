@@ -226,7 +226,6 @@ class SpectrogramView(FigureView):
         self.picture = SpectrogramPicture()
         super().__init__(self.picture, parent)
         self.settings = SpectrogramSettings()
-        self._results: Mapping[str, Any] | None = None
         self.output = ChoiceField(ChoiceSpec(label="Output", options=()), empty="Select outputs")
         self.output.setObjectName("spectrogram_output")
         self.window_length = named(ChoiceField(WINDOW), "spectrogram_window")
@@ -281,10 +280,6 @@ class SpectrogramView(FigureView):
             return
         self._results = dict(results)
         self._draw(results)
-
-    def say_instead(self, message: str) -> None:
-        self._results = None
-        super().say_instead(message)
 
     def _show_choices(self, limb: str) -> None:
         settings, outputs = self.settings, self._view.outputs

@@ -168,7 +168,6 @@ class TransferView(FigureView):
         self.picture = TransferPicture()
         super().__init__(self.picture, parent)
         self.settings = TransferSettings()
-        self._results: Mapping[str, Any] | None = None
         self._has_inputs = True
         hint = "Draw the coherence: the share of power that is not noise"
         self.coherence = tool_button(None, "transfer_coherence", "Coherence", hint, checkable=True)
@@ -219,7 +218,6 @@ class TransferView(FigureView):
         self.say_instead(self.no_outputs if self._has_inputs else how_to_add())
 
     def say_instead(self, message: str) -> None:
-        self._results = None
         super().say_instead(message)
         self.place.say("")
 

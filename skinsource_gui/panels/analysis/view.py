@@ -28,9 +28,7 @@ class AnalysisView(OutputsPanel):
     #: The user wants to copy them.
     copy_requested = Signal()
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.has_table = False
+    has_table = False
 
     @property
     def message(self) -> str:
@@ -121,6 +119,7 @@ class FigureView(AnalysisView):
         return self._above
 
     def say_instead(self, message: str) -> None:
+        self._results = None
         self.figure.say(message)
         self.show_result("")
         self.offer_copy(False)

@@ -493,7 +493,6 @@ class WindowedView(AnalysisView):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design = Design(limb="")
         self.strip = StripView()
         self.cells = {
             "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, edited=self._change),

@@ -523,9 +523,7 @@ class HandDiagram(QtWidgets.QWidget):
 
     def describe(self, site: int) -> None:
         """Say what is at a site to assistive technology."""
-        text = self.stage.description(site)
-        if text != self.accessibleDescription():
-            self.setAccessibleDescription(text)
+        self.setAccessibleDescription(self.stage.description(site))
 
 
 class HandPanel(Panel):
@@ -543,7 +541,6 @@ class HandPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design, self._view = Design(limb=""), View()
         # Ids of the inputs that are pointed at here, and in another panel.
         self._pointed_at: int | None = None
         self._elsewhere: int | None = None

@@ -436,9 +436,7 @@ class InspectorPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design = Design(limb="")
         self._shown: tuple[tuple[int, ...], ...] = ()
-        self._view = View()
         self._waveforms: dict[int, Floats] | None = None
         # What each track plays before its amplitude, by its id.
         self._played: dict[int, Floats] = {}

@@ -184,7 +184,6 @@ class LibraryPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design, self._view = Design(limb=""), View()
         self.folders = PresetFolders(self)
         self.model = PresetsModel(self)
         self.search, self.rows = SearchRow(), PresetList(self.model)

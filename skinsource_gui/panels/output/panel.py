@@ -525,8 +525,7 @@ class OutputPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design = Design(limb="")
-        self._view, self._settings, self._played = View(), OutputSettings(), Played()
+        self._settings, self._played = OutputSettings(), Played()
         self._drawn: object = None
         self.choices = ActuatorChoices(self)
         self.choices.changed.connect(self._choose)
@@ -700,9 +699,7 @@ class OutputPanel(Panel):
             sentences.append(
                 f"The device ran out of samples {played.underruns} times: choose a longer latency."
             )
-        text = "\n".join(sentences)
-        if text != self.text.text():
-            self.text.setText(text)
+        self.text.setText("\n".join(sentences))
 
     def _meaning(self, played: Played) -> str:
         """Return what a gain of 0 dB means, and whether it is calibrated."""

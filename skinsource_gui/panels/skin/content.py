@@ -67,9 +67,9 @@ def marks_of(design: Design, view: View) -> tuple[InputMark, ...]:
     )
 
 
-def painted_in(design: Design | None, view: View) -> tuple[tuple[int, ...], tuple[int, ...]]:
+def painted_in(design: Design, view: View) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """Return the strong and the quiet outputs of the target, while there is a brush."""
-    found = None if design is None or not brush_of(view) else target_in(design)
+    found = target_in(design) if brush_of(view) else None
     return ((), ()) if found is None else (found[1].strong, found[1].quiet)
 
 
@@ -220,7 +220,7 @@ def content_of(
     results: Mapping[str, Any],
     settings: SkinSettings,
     view: View,
-    design: Design | None = None,
+    design: Design,
     *,
     noisy: tuple[int, ...] = (),
     compared: Sequence[Compared] = (),
@@ -268,7 +268,7 @@ def content_of(
     source = "" if problem else _source_note(limb_data)
     chosen, known = chosen_range(settings), results.get(_NAMES[settings.quantity][0])
     value_range = chosen or _automatic_range(results, settings, compared, steady or SteadyRange())
-    shown_limbs = {limb, "" if design is None else design.limb}
+    shown_limbs = {limb, design.limb}
     strong, quiet = painted_in(design, view)
     return MapContent(
         limb_map=limb_map,
@@ -285,7 +285,7 @@ def content_of(
         outputs=view.outputs,
         strong=strong,
         quiet=quiet,
-        inputs=() if design is None else marks_of(design, view),
+        inputs=marks_of(design, view),
         sensors_shown=settings.sensors_shown,
         noisy=noisy,
         synthetic=any(facts_of(name).synthetic for name in shown_limbs),
@@ -296,7 +296,7 @@ def content_of(
 
 
 def _limb_of(
-    results: Mapping[str, Any], design: Design | None, problem: str
+    results: Mapping[str, Any], design: Design, problem: str
 ) -> tuple[LimbMap | None, str, float]:
     """Return outline and places, the name of the limb, and outline pixels in a millimetre.
 
@@ -304,7 +304,7 @@ def _limb_of(
     """
     limb_data: Limb | None = results.get("limb_data")
     name = "" if limb_data is None else limb_data.name
-    if problem and design is not None and design.limb != name:
+    if problem and design.limb != name:
         own, facts = own_map(design.limb), facts_of(design.limb)
         if own is not None:
             return own, design.limb, own.hand_length_px / facts.hand_length_mm

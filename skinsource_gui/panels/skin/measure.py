@@ -121,7 +121,7 @@ class MeasureLine(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
+        self._design = Design(limb="")
         self._view, self._settings, self._content = View(), SkinSettings(), MapContent()
         self.quantity = MeasureWord(
             "measure_quantity", QUANTITY.label, QUANTITY.hint, self._offer_quantities, self
@@ -148,7 +148,7 @@ class MeasureLine(QtWidgets.QWidget):
         self.rms_window.edited.connect(lambda window_s, _: self._choose("rms_window_s", window_s))
 
     def show_state(
-        self, design: Design | None, view: View, settings: SkinSettings, content: MapContent
+        self, design: Design, view: View, settings: SkinSettings, content: MapContent
     ) -> None:
         """Show what the map shows, and how it is looked at."""
         before = self._content.quantity, self._settings, self._view.axes
@@ -156,7 +156,7 @@ class MeasureLine(QtWidgets.QWidget):
             offer_arm(self.arm, (content.limb_map,), _ARM_HINT)
         self._design, self._view, self._settings = design, view, settings
         self._content = content
-        actuated = view.span == "record" and design and design.actuated
+        actuated = view.span == "record" and design.actuated
         without = ": its length without the actuator" if actuated else ""
         show_tooltip(self.span, tooltip("Levels", f"Time over which a level is the RMS{without}"))
         if before == (content.quantity, settings, view.axes):
@@ -190,8 +190,7 @@ class MeasureLine(QtWidgets.QWidget):
         what, signal, over, unit = self._content.quantity.words
         over = "" if self._settings.quantity == RMS else over
         for button, word in zip(self._words, (what, signal, over, unit), strict=True):
-            if button.accessibleDescription() != word:
-                button.setAccessibleDescription(word)
+            button.setAccessibleDescription(word)
         show_tooltip(self.axes, tooltip(signal, TRIAD_SENTENCE))
         show_tooltip(self.unit, tooltip(unit, "Range, colours and style of the map"))
         # That levels are matched is said in any width.
@@ -229,7 +228,7 @@ class MeasureLine(QtWidgets.QWidget):
 
     def _offer_axes(self, menu: QtWidgets.QMenu) -> None:
         axes, methods = _explained(AXES), _explained(METHODS)
-        measured = set(facts_of(self._design.limb if self._design else "").axes)
+        measured = set(facts_of(self._design.limb).axes)
         for action in offer(menu, axes, self._view.axes, partial(self._edit, edits.look_along)):
             action.setEnabled(set(action.data()) <= measured)
         menu.addSeparator()
@@ -270,5 +269,4 @@ class MeasureLine(QtWidgets.QWidget):
         self.settings_chosen.emit(replace(self._settings, **{field: value}))
 
     def _edit(self, edit: Callable[[Design, View, str], Edit | Refusal], value: str) -> None:
-        if self._design is not None:
-            self.edited.emit(edit(self._design, self._view, value), None)
+        self.edited.emit(edit(self._design, self._view, value), None)

@@ -101,8 +101,7 @@ class SkinPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
-        self._view, self.settings = View(), SkinSettings()
+        self.settings = SkinSettings()
         # The parts of design and view that were shown last.
         self._shown: tuple[object, ...] = ()
         # The colours stay while the loudest output changes a little.
@@ -144,7 +143,7 @@ class SkinPanel(Panel):
 
     @property
     def needs_on_limbs(self) -> Mapping[Any, frozenset[str]]:
-        limb = "" if self._design is None else self._design.limb
+        limb = self._design.limb
         if self.settings.quantity != PEOPLE or limb not in PUBLISHED:
             return {}
         return dict.fromkeys(related_limbs(limb), frozenset({signals_name(LEVELS)}))
@@ -154,7 +153,7 @@ class SkinPanel(Panel):
 
     @property
     def _in_motion(self) -> SkinSettings:
-        return in_motion(self.settings, facts_of(self._design.limb if self._design else "").axes)
+        return in_motion(self.settings, facts_of(self._design.limb).axes)
 
     @property
     def _moving(self) -> str:
@@ -361,19 +360,16 @@ class SkinPanel(Panel):
         self._show()
 
     def _edit(self, edit: Callable[..., Edit | Refusal], value: Any) -> None:
-        if self._design is not None:
-            self.edited.emit(edit(self._design, self._view, value), None)
+        self.edited.emit(edit(self._design, self._view, value), None)
 
     def _paint(self, outputs: tuple[int, ...], gesture: int) -> None:
-        if self._design is not None:
-            painted = edits.paint_target(self._design, self._view, outputs, self._brush)
-            self.edited.emit(painted, gesture)
+        painted = edits.paint_target(self._design, self._view, outputs, self._brush)
+        self.edited.emit(painted, gesture)
 
     def _remove_inputs(self, outputs_selected: bool) -> None:
         """Remove those that are selected; where none is, or outputs are meant, say so."""
-        if self._design is not None:
-            removed = edits.remove_inputs(self._design, self._view, self._view.selected_inputs)
-            self.edited.emit(NO_OUTPUTS if outputs_selected else removed, None)
+        removed = edits.remove_inputs(self._design, self._view, self._view.selected_inputs)
+        self.edited.emit(NO_OUTPUTS if outputs_selected else removed, None)
 
     def _choose_pace(self, slow_motion: float) -> None:
         """Play this many times slower than real time."""

@@ -40,15 +40,13 @@ class Heading:
     note: str = ""
 
 
-def heading_of(design: Design | None, quantity: MapQuantity, note: str = "") -> Heading:
+def heading_of(design: Design, quantity: MapQuantity, note: str = "") -> Heading:
     """Return the heading of a picture of the map."""
-    parts = [quantity.signal]
-    if design is not None:
-        band_hz = facts_of(design.limb).band_hz
-        if quantity.name == SENSATION and band_hz is not None:
-            parts.append(f"{band_hz[0]:g} to {band_hz[1]:g} Hz")
-        drawn_on = "drawn on " if quantity.name == PEOPLE else ""
-        parts = [f"{drawn_on}{limb_label(design.limb).title}", *parts]
+    drawn_on = "drawn on " if quantity.name == PEOPLE else ""
+    parts = [f"{drawn_on}{limb_label(design.limb).title}", quantity.signal]
+    band_hz = facts_of(design.limb).band_hz
+    if quantity.name == SENSATION and band_hz is not None:
+        parts.append(f"{band_hz[0]:g} to {band_hz[1]:g} Hz")
     return Heading(title=quantity.heading, details=" · ".join(parts), note=note)
 
 

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6 import QtWidgets
 
 from skinsource.base.conventions import Band, Floats
 from skinsource.base.decibels import decibels
@@ -255,8 +254,8 @@ class SpectraPanel(SignalPanel):
     title = "Spectra"
     name = "spectra"
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("spectra-plot", "Spectra of the selected outputs", parent)
+    def __init__(self) -> None:
+        super().__init__("spectra-plot", "Spectra of the selected outputs")
         self.settings = SpectraSettings()
         limb = facts_of("")
         self._axis, self._log_axis = _axes(limb.sample_rate_hz, limb.band_hz)

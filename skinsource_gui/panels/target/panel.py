@@ -186,7 +186,6 @@ class TargetPanel(FoundPanel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design, self._view = Design(limb=""), View()
         self._target = Target()
         self.brushes = {
             name: tool_button(self, f"brush_{name}", title, BRUSH.hint, checkable=True)

@@ -187,7 +187,6 @@ class TimelinePanel(Panel):
         self._played: dict[int, Floats] = {}
         self._rate_hz = SAMPLE_RATE_HZ
         self._problems: Mapping[int, str] = {}
-        self._design, self._view = Design(limb=""), View()
         self.heads, self.lanes = Heads(), LanesView()
         self._toolbar, self._time_bar = TimelineToolbar(), TimeBar()
         self._bar = QtWidgets.QScrollBar(Qt.Orientation.Vertical)

@@ -6,7 +6,7 @@ from functools import cache, partial
 from typing import Any
 
 import numpy as np
-from PySide6 import QtGui, QtWidgets
+from PySide6 import QtGui
 
 from skinsource.base.conventions import BAND_HZ, Floats
 from skinsource.design import edits
@@ -79,9 +79,8 @@ class TracesPanel(SignalPanel):
     title = "Traces"
     name = "traces"
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("traces-plot", "Traces of the selected outputs", parent)
-        self._design = Design(limb="")
+    def __init__(self) -> None:
+        super().__init__("traces-plot", "Traces of the selected outputs")
         self.settings = TracesSettings()
         self._pre_trigger = self._plot.add_switch_in_menu(
             "pre-trigger",

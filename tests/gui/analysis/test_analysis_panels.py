@@ -52,12 +52,6 @@ def changed(label, design, view):
     return Edit(label=label, design=design, view=view)
 
 
-def louder(window, amplitude):
-    document = window.document
-    design = document.design.with_input(0, amplitude=amplitude)
-    document.apply(changed("Louder", design, document.view))
-
-
 def test_a_hidden_panel_computes_nothing(window, show, settle):
     runs, usual = window.engine._graphs[FIRST_SLOT].runs, window.document.view
     for k, (name, rule) in enumerate(RULES_OF.items()):
@@ -70,7 +64,8 @@ def test_a_hidden_panel_computes_nothing(window, show, settle):
         window.docks["analysis"].toggleViewAction().trigger()
         assert not window.panel("analysis").isVisible()
         window.document.look(replace(window.document.view, axes="z", outputs=OUTPUTS[:2]))
-        louder(window, 2.5 + k)
+        design = window.document.design.with_input(0, amplitude=2.5 + k)
+        window.document.apply(changed("Louder", design, window.document.view))
         settle()
         assert runs[rule] == shown, name
     # Nor while others were in sight.

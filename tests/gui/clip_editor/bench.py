@@ -1,6 +1,6 @@
 """The editor of a clip, without a studio."""
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from skinsource import Clip, Design, Input
@@ -51,14 +51,10 @@ class Bench(PanelHost):
         for point in points[1:]:
             self.canvas.tool.move(self.canvas.content, point, held)
         if release:
-            QTest.mouseRelease(self.canvas.viewport(), button, held, whole(points[-1]))
+            QTest.mouseRelease(self.canvas.viewport(), button, held, points[-1].toPoint())
 
     def press(self, at, button=LEFT, held=NONE):
-        QTest.mousePress(self.canvas.viewport(), button, held, whole(at))
+        QTest.mousePress(self.canvas.viewport(), button, held, at.toPoint())
 
     def key(self, key, held=NONE):
         QTest.keyClick(self.canvas, key, held)
-
-
-def whole(at):
-    return QPoint(round(at.x()), round(at.y()))

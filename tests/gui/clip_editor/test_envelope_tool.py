@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from skinsource.design.effects.level import UNCHANGED, Envelope, Fade
 from skinsource_gui.panels.clip_editor import tools
 from skinsource_gui.qt.theme import LIGHT
-from tests.gui.clip_editor.bench import ALT, LEFT, NONE, RIGHT, SHIFT, whole
+from tests.gui.clip_editor.bench import ALT, LEFT, NONE, RIGHT, SHIFT
 from tests.gui.menus import lines_at
 
 
@@ -25,7 +25,7 @@ def points(bench):
 
 def test_a_click_on_the_curve_adds_a_point_that_is_dragged_alone(tone):
     tone.press(tone.at(0.1, 1.0))
-    QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 1.0)))
+    QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, tone.at(0.1, 1.0).toPoint())
     assert len(points(tone)) == 2
     assert (Envelope(points(tone)).values_at(np.linspace(0, 0.2, 50)) == 1.0).all()
     assert tone.panel._envelope.tool.chosen == (1,)
@@ -35,7 +35,7 @@ def test_a_click_on_the_curve_adds_a_point_that_is_dragged_alone(tone):
     assert second[0] == pytest.approx(0.12, abs=0.002)
     assert second[1] == pytest.approx(0.4, abs=0.02)
     # A double click puts a point anywhere.
-    QTest.mouseDClick(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.05, 0.2)))
+    QTest.mouseDClick(tone.canvas.viewport(), LEFT, NONE, tone.at(0.05, 0.2).toPoint())
     assert points(tone)[1][:2] == pytest.approx((0.05, 0.2), abs=0.02)
 
 
@@ -162,7 +162,7 @@ def menu_at(tone, time_s, value):
     """What the right button offers there, after it went down, as a screen with a mouse sends it."""
     at = tone.at(time_s, value)
     tone.press(at, RIGHT)
-    return lines_at(tone.canvas, "clip_editor_menu", tone.canvas.viewport(), whole(at))
+    return lines_at(tone.canvas, "clip_editor_menu", tone.canvas.viewport(), at.toPoint())
 
 
 def test_the_right_button_opens_the_menu_of_a_small_curve(tone):

@@ -14,7 +14,7 @@ from skinsource.design.waveforms import Drawn, Glide, Recording, Tone
 from skinsource.signals.synthesis import curve_of
 from skinsource.specs.samples import Samples
 from skinsource_gui.panels.clip_editor.tools import Pen, of_column
-from tests.gui.clip_editor.bench import LEFT, NONE, RATE_HZ, RIGHT, SHIFT, Bench, whole
+from tests.gui.clip_editor.bench import LEFT, NONE, RATE_HZ, RIGHT, SHIFT, Bench
 from tests.gui.wheel import NOTCH, turn_wheel
 
 
@@ -72,7 +72,7 @@ def test_a_drag_moves_what_is_seen_as_far_as_the_pointer_goes(tone):
     start = tone.at((first_s + last_s) / 2, 0.0)
     tone.press(start)
     for k in range(1, 6):
-        at = whole(start) - QPoint(4 * k, 0)
+        at = start.toPoint() - QPoint(4 * k, 0)
         tone.canvas.tool.move(tone.canvas.content, QPointF(at), NONE)
         assert shown_s(tone)[0] == pytest.approx(first_s + 4 * k / px_per_s, abs=0.6 / px_per_s)
     QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, at)
@@ -120,7 +120,7 @@ def test_a_point_of_the_amplitude_is_dragged_and_goes_no_higher_than_one(glide):
 
 def test_a_click_on_a_line_adds_a_point_that_bends_nothing_and_stays(glide):
     before = glide.drawn
-    at = whole(frequency_at(glide, 0.1, 200.0))
+    at = frequency_at(glide, 0.1, 200.0).toPoint()
     QTest.mouseClick(glide.canvas.viewport(), LEFT, pos=at)
     tool = glide.panel._glide.tool.tools["frequency"]
     assert len(tool._points()) == 4

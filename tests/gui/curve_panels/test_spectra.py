@@ -25,10 +25,6 @@ def settings(view):
     return settings_of(view, "spectra", SpectraSettings)
 
 
-def with_spectrum_settings(view, **changes):
-    return with_settings(view, "spectra", replace(settings(view), **changes))
-
-
 @pytest.mark.parametrize("span", bench.SPECTRA)
 def test_spectra_are_those_of_the_chosen_span_and_say_so_where_there_is_room(show, span):
     # A response may be longer than the record.
@@ -76,10 +72,8 @@ def test_the_measured_band_is_told_from_what_lies_outside(show):
     assert above.left() == pytest.approx(area.left() + area.width() * 600 / 650)
     assert above.width() == pytest.approx(area.width() * 50 / 650)
     assert (below.top(), below.height()) == pytest.approx((area.top(), area.height()))
-    panel.show_state(
-        start_design("synthetic-1"),
-        with_spectrum_settings(bench.LINEAR, frequency_range_hz=(50.0, 300.0)),
-    )
+    zoomed = replace(settings(bench.LINEAR), frequency_range_hz=(50.0, 300.0))
+    panel.show_state(start_design("synthetic-1"), with_settings(bench.LINEAR, "spectra", zoomed))
     assert axis.shaded() == []
 
 

@@ -44,7 +44,7 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     digest = facts_of("lab-1").digest
     export_limb("lab-1", tmp_path / "lab.h5")
     remove_limb("lab-1")
-    assert text_of_page(page) == "Choose the file of the responses."
+    assert page.message.text() == "Choose the file of the responses."
     assert not button(page, "import_limb").isEnabled()
     opened(page, tmp_path / "lab.h5", "responses", qtbot)
     assert page.form.name.text() == "lab-1"
@@ -57,7 +57,7 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     assert "lab-1" in window.limbs.names
     assert page.chosen == "lab-1"
     button(page, "mirror_limb").click()
-    qtbot.waitUntil(lambda: text_of_page(page) == "Mirroring lab-1: done.", timeout=60_000)
+    qtbot.waitUntil(lambda: page.message.text() == "Mirroring lab-1: done.", timeout=60_000)
     assert facts_of("lab-1").mirrored
     assert button(page, "mirror_limb").text() == "Do not mirror"
     asked = answering(monkeypatch, NO)
@@ -110,11 +110,11 @@ def test_what_a_file_said_goes_with_it_and_later_typing_stays(user_data, tmp_pat
     assert (form.name.text(), form.title.text(), form.note.text()) == ("first", "", "")
     values = form.values()
     assert (values["band_hz"], values["left"], values["synthetic"]) == (None, False, False)
-    assert text_of_page(page) == "The responses have 2 axes; choose as many."
+    assert page.message.text() == "The responses have 2 axes; choose as many."
     form.axes.choose("xy")
     form.left.setChecked(True)
     form.mirrored.setChecked(True)
-    assert text_of_page(page) == "0 of 7 inputs have a place: click them, or open a table."
+    assert page.message.text() == "0 of 7 inputs have a place: click them, or open a table."
     form.name.setText("mine")
     opened(page, tmp_path / "second.npy", "responses", qtbot)
     assert form.name.text() == "mine"
@@ -124,14 +124,14 @@ def test_what_a_file_said_goes_with_it_and_later_typing_stays(user_data, tmp_pat
 def test_what_cannot_be_read_is_said_and_nothing_is_kept(user_data, tmp_path, page, qtbot):
     (tmp_path / "a.h5").write_bytes(b"nothing at all")
     opened(page, tmp_path / "a.h5", "responses", qtbot)
-    assert "a.h5" in text_of_page(page)
+    assert "a.h5" in page.message.text()
     opened(page, tmp_path / "a.h5", "photograph", qtbot)
-    assert "cannot be read as a picture" in text_of_page(page)
+    assert "cannot be read as a picture" in page.message.text()
     np.save(tmp_path / "two.npy", np.zeros((2, 3, 9)))
     opened(page, tmp_path / "two.npy", "responses", qtbot)
     (tmp_path / "in.csv").write_text("1,2\n3,x\n")
     opened(page, tmp_path / "in.csv", "inputs", qtbot)
-    assert "row 2" in text_of_page(page)
+    assert "row 2" in page.message.text()
     assert not button(page, "import_limb").isEnabled()
     assert own_limb_names() == ()
 
@@ -155,14 +155,14 @@ def test_a_job_of_the_page_is_cancelled_on_the_page_that_covers_the_bar(user_dat
     assert not button(page, "import_limb").isEnabled()
     # The second click of two on Import does not hit it.
     assert button(page, "cancel_import").x() < button(page, "import_limb").x()
-    qtbot.waitUntil(lambda: text_of_page(page) == "Importing a limb: 25 %")
+    qtbot.waitUntil(lambda: page.message.text() == "Importing a limb: 25 %")
     # Whoever closes the page and opens it again can cancel it too.
     page.close()
     window.pages.show_limbs()
     again = window.findChildren(QDialog, "limb_page")[-1]
     assert again is not page
     button(again, "cancel_import").click()
-    qtbot.waitUntil(lambda: text_of_page(again) == "Cancelled. Nothing was changed.")
+    qtbot.waitUntil(lambda: again.message.text() == "Cancelled. Nothing was changed.")
     assert button(again, "cancel_import").isHidden()
     again.close()
 
@@ -206,7 +206,7 @@ def test_places_are_clicked_on_a_photograph(user_data, tmp_path, window, page, q
     picture.save(str(tmp_path / "hand.png"))
     opened(page, tmp_path / "two.npy", "responses", qtbot)
     assert page.form.name.text() == "two"
-    assert text_of_page(page) == "0 of 2 inputs have a place: click them, or open a table."
+    assert page.message.text() == "0 of 2 inputs have a place: click them, or open a table."
     opened(page, tmp_path / "hand.png", "photograph", qtbot)
 
     def click(what, *points):
@@ -219,7 +219,7 @@ def test_places_are_clicked_on_a_photograph(user_data, tmp_path, window, page, q
     button(page, "remove_last").click()
     click("outputs", (100, 100), (100, 150), (120, 200))
     click("outline", (20, 20), (180, 20), (180, 280), (20, 280))
-    assert text_of_page(page).startswith("Click both ends of the hand's length")
+    assert page.message.text().startswith("Click both ends of the hand's length")
     click("hand", (100, 30), (100, 230))
     imported(page, "two", qtbot)
     limb = load_limb("two")
@@ -241,7 +241,7 @@ def test_on_a_photograph_all_of_a_file_in_the_layout_is_clicked_or_nothing(
     picture.save(str(tmp_path / "hand.png"))
     opened(page, tmp_path / "lab.h5", "responses", qtbot)
     opened(page, tmp_path / "hand.png", "photograph", qtbot)
-    assert text_of_page(page) == "Ready to import."
+    assert page.message.text() == "Ready to import."
     for what, points, message in (
         ("inputs", 7, "0 of 31 outputs"),
         ("outputs", 31, "Click the corners of the outline"),
@@ -250,7 +250,7 @@ def test_on_a_photograph_all_of_a_file_in_the_layout_is_clicked_or_nothing(
     ):
         for k in range(points):
             page._take(page.draft.with_point(what, (10.0 * k, 7.0 * k * k)))
-        assert text_of_page(page).startswith(message)
+        assert page.message.text().startswith(message)
 
 
 @pytest.fixture(scope="module")
@@ -310,10 +310,6 @@ def test_nothing_is_said_of_a_job_of_another_page(qtbot):
     runner.close()
 
 
-def text_of_page(page):
-    return page.message.text()
-
-
 def button(page, name):
     return page.findChild(QPushButton, name)
 
@@ -325,7 +321,7 @@ def opened(page, path, what, qtbot):
 
 def imported(page, name, qtbot):
     button(page, "import_limb").click()
-    qtbot.waitUntil(lambda: text_of_page(page).startswith("Imported as"), timeout=60_000)
+    qtbot.waitUntil(lambda: page.message.text().startswith("Imported as"), timeout=60_000)
     assert name in own_limb_names()
 
 

@@ -43,11 +43,6 @@ def symbol_of(field):
     return field.spec.unit
 
 
-def tooltip_of_scaling(window):
-    meaning = window.panel("inspector").findChild(QToolButton, "scaling")
-    return next(action.toolTip() for action in meaning.menu().actions() if action.isChecked())
-
-
 def shown_unit(window):
     """The unit of amplitudes as panels and captions say it."""
     caption = caption_of(window.document.design)
@@ -70,7 +65,8 @@ def checked_unit(field):
 def shows(window, qtbot, unit):
     rest(window)
     assert set(shown_unit(window).values()) == {unit}, shown_unit(window)
-    hint = tooltip_of_scaling(window)
+    meaning = window.panel("inspector").findChild(QToolButton, "scaling")
+    hint = next(action.toolTip() for action in meaning.menu().actions() if action.isChecked())
     assert ("unit of the drive" in hint) is (unit == "a.u.")
     assert ("of the probe" in hint) is (unit == "m/s²")
 

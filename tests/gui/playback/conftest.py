@@ -47,6 +47,17 @@ def player(studio):
 
 
 @pytest.fixture
+def panel(studio, player, qtbot):
+    """The panel of playback, with what there is to choose from."""
+    studio.do("show_output")
+    qtbot.waitUntil(lambda: player.settings.searched, timeout=20_000)
+    panel = studio.panel("output")
+    if not panel._settings.more:
+        panel.more.click()
+    return panel
+
+
+@pytest.fixture
 def arm(qtbot, player):
     """Arm the actuators."""
 

@@ -14,17 +14,6 @@ from skinsource.lab.playing.triggers import code_in
 WAIT = {"timeout": 20_000}
 
 
-@pytest.fixture
-def panel(studio, player, qtbot):
-    """The panel of playback, with what there is to choose from."""
-    studio.do("show_output")
-    qtbot.waitUntil(lambda: player.settings.searched, **WAIT)
-    panel = studio.panel("output")
-    if not panel._settings.more:
-        panel.more.click()
-    return panel
-
-
 def text_of(panel, name):
     return panel.findChild(QLabel, name).text()
 

@@ -11,8 +11,8 @@ from skinsource.actuators.prediction import Limits
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.design import edits
 from skinsource_gui.fields.rig_field import RigField
-from skinsource_gui.panels.output.panel import OutputPanel
 
+pytestmark = pytest.mark.usefixtures("sound")
 WAIT = {"timeout": 20_000}
 FLAT = MeasuredResponse(((1.0, 50.0, 0.0), (2000.0, 50.0, 0.0)))
 BENCH = Rig(
@@ -28,16 +28,6 @@ BENCH = Rig(
 def path(tmp_path):
     save_rig(tmp_path / "bench.skinrig", BENCH)
     return tmp_path / "bench.skinrig"
-
-
-@pytest.fixture
-def panel(sound, studio, qtbot):
-    studio.docks["output"].bring_forward()
-    panel = studio.panel("output")
-    assert isinstance(panel, OutputPanel)
-    qtbot.waitUntil(panel.isVisible)
-    qtbot.waitUntil(lambda: studio.playback.player.settings.searched, **WAIT)
-    return panel
 
 
 def test_a_rig_is_asked_for_where_the_last_file_was(panel, path, monkeypatch):

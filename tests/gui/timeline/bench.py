@@ -123,12 +123,12 @@ class LanesBench(Bench):
     def drag(self, start, end, held=NONE, *, release=True, steps=3):
         """Press, move in some steps, and let go."""
         view = self.lanes.viewport()
-        QTest.mousePress(view, LEFT, held, _point(start))
+        QTest.mousePress(view, LEFT, held, start.toPoint())
         for step in range(1, steps + 1):
             between = start + (end - start) * (step / steps)
-            self.lanes.mouse.move(QPointF(_point(between)), held)
+            self.lanes.mouse.move(QPointF(between.toPoint()), held)
         if release:
-            QTest.mouseRelease(view, LEFT, held, _point(end))
+            QTest.mouseRelease(view, LEFT, held, end.toPoint())
 
     def menu_at(self, place):
         """The lines of the menu of a place, by their words."""
@@ -136,11 +136,7 @@ class LanesBench(Bench):
         return lines_of(self.panel, "lanes_menu", show)
 
     def click(self, at, held=NONE):
-        QTest.mouseClick(self.lanes.viewport(), LEFT, held, _point(at))
+        QTest.mouseClick(self.lanes.viewport(), LEFT, held, at.toPoint())
 
     def double_click(self, at):
-        QTest.mouseDClick(self.lanes.viewport(), LEFT, pos=_point(at))
-
-
-def _point(at):
-    return QPoint(round(at.x()), round(at.y()))
+        QTest.mouseDClick(self.lanes.viewport(), LEFT, pos=at.toPoint())
