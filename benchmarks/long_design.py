@@ -32,7 +32,6 @@ from skinsource.design.design import Design, Input, View, track
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.graph import Graph
-from skinsource.engine.memory import TOTAL_BYTES
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.catalog import default_limb
 
@@ -41,7 +40,7 @@ from skinsource.limbs.catalog import default_limb
 #: 500 MB and 100 ms.
 MOST_TRANSFORMS, MOST_TIMES_HELD, LONGEST_PART = 40.0, 1.4, 1 / 50
 WHOLE_S = 10.0
-REMEMBERED_MB = TOTAL_BYTES / 1e6
+REMEMBERED_MB = 256 * 2**20 / 1e6
 MAP = ("output_levels_db", "surface_levels_db")
 SHOWN = (*MAP, "axis_traces", "axis_spectra")
 STUDIO = (*MAP, "selected_extremes", "response_time_s", "selected_spectra", "input_waveforms")

@@ -1,7 +1,6 @@
 """The graph of quantities: what runs, what is remembered and refused, and its tables."""
 
 import weakref
-from graphlib import CycleError
 from pathlib import Path
 
 import numpy as np
@@ -98,21 +97,6 @@ def test_results_cannot_be_written_to():
     for array in (result["vector"], *result["pair"]):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 1.0
-
-
-def test_rules_in_a_circle_are_refused():
-    def hen(egg):
-        return egg
-
-    def egg(hen):
-        return hen
-
-    def ego(ego):
-        return ego
-
-    for rules in ((doubled, hen, egg), (ego,)):
-        with pytest.raises(CycleError):
-            Graph(*rules)
 
 
 def test_an_array_goes_before_the_next_one_is_made():

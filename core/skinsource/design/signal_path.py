@@ -21,7 +21,7 @@ from skinsource.actuators.equalising import (
 from skinsource.actuators.rigs import Rig, known_model
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import Band, Floats
-from skinsource.base.errors import InvalidInputError, first_sentence
+from skinsource.base.errors import InvalidInputError, counted, first_sentence
 from skinsource.design.clips import Clip
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import placed, played
@@ -360,7 +360,5 @@ def unplayable_text(unplayable: Sequence[UnplayableInput]) -> str:
     if not unplayable:
         return ""
     text, more = unplayable[0].sentence, len(unplayable) - 1
-    if more == 0:
-        return text
-    others = "1 more input" if more == 1 else f"{more} more inputs"
-    return f"{text.removesuffix('.')}; {others} cannot be played either."
+    others = f"; {counted(more, 'more input')} cannot be played either."
+    return f"{text.removesuffix('.')}{others}" if more else text

@@ -469,11 +469,6 @@ class Responses:
     scaling: Scaling
     n_fft: int | None
 
-    @property
-    def blocks(self) -> Blocks:
-        """How long drives are cut into blocks."""
-        return Blocks(self.limb.n_taps)
-
     def to(self, locations: Iterable[int]) -> list[ResponseSpectrum]:
         """Return the responses to each of some locations."""
         locations = list(locations)
@@ -491,7 +486,7 @@ class Responses:
         used = tuple(sorted(set(locations)))
         if not used:
             return None
-        n_fft = self.blocks.n_fft
+        n_fft = Blocks(self.limb.n_taps).n_fft
         return self.remembered.responses.stack(self.limb, used, self.scaling, n_fft)
 
     def drive_spectrum(self, unit: UnitVoice, drive: Drive) -> Complexes:

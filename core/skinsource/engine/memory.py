@@ -99,16 +99,6 @@ GAINS_BYTES = 1 * _MIB
 #: Operators of the maps of a few limbs.
 SURFACES_BYTES = 7 * _MIB
 
-#: All budgets of a graph together.
-TOTAL_BYTES = (
-    RESPONSE_SPECTRA_BYTES
-    + CLIPS_BYTES
-    + 2 * DRIVES_BYTES
-    + EXACT_SPECTRA_BYTES
-    + GAINS_BYTES
-    + SURFACES_BYTES
-)
-
 #: Spectra that `skinsource.predict` remembers on top: twice those of twenty locations for stimuli
 #: of one second.
 PREDICT_BYTES = 128 * _MIB

@@ -213,12 +213,6 @@ class ResponseSpectra:
         )
         self._requested: WeakKeyDictionary[Limb, set[_Key]] = WeakKeyDictionary()
 
-    @property
-    def held_bytes(self) -> int:
-        """Memory that the spectra take."""
-        with self._lock:
-            return self._sum()
-
     def of(
         self, limb: Limb, locations: Sequence[int], scaling: Scaling, n_fft: int
     ) -> list[ResponseSpectrum]:

@@ -15,7 +15,7 @@ from skinsource.engine.drives import delayed
 from skinsource.engine.gains import EngineMemory, Placed, Responses, Sounding
 from skinsource.engine.spectra import ResponseSpectrum, TotalSpectrum, superpose
 from skinsource.engine.streaming import StreamedVibration, Vibration
-from skinsource.engine.transforms import ChannelsOnDemand, Played, driven, rows_of
+from skinsource.engine.transforms import Blocks, ChannelsOnDemand, Played, driven, rows_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
 
@@ -165,7 +165,7 @@ def streamed_vibration(
     ]
     stack = responses.stack(drive.location for drive in played)
     shape = responses.limb.n_outputs, responses.limb.n_axes, response_samples
-    return StreamedVibration(played, stack, shape, responses.blocks)
+    return StreamedVibration(played, stack, shape, Blocks(responses.limb.n_taps))
 
 
 def vibration(

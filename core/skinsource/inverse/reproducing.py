@@ -151,7 +151,10 @@ def reproduce(
     outputs = [within.check_target(output) for output in wanted]
     silent = quiet_of(within, outputs, quiet)
     at_hz = bins_of(n_fft, limb.sample_rate_hz)
-    outside = np.interp(at_hz, *_band_edges(limb))
+    low, high = followed_band(limb.band_hz, limb.sample_rate_hz)
+    # How far each frequency is outside the band: 0 to 1.
+    edges = [_RAMP[0] * low, low, high, _RAMP[1] * high]
+    outside = np.interp(at_hz, edges, [1.0, 0.0, 0.0, 1.0])
     driven = outside < 1.0
     responses = spectra_of(limb, axes, within.inputs, at_hz[driven])
     rows = np.stack([_row_along(responses, output) for output in outputs], axis=1)
@@ -193,12 +196,6 @@ def _checked_signal(samples: ArrayLike, n_times: int) -> Floats:
             "samples. Make length_s longer."
         )
     return signal
-
-
-def _band_edges(limb: Limb) -> tuple[Floats, Floats]:
-    """Return frequencies, and how far they are outside the band: 0 to 1."""
-    low, high = followed_band(limb.band_hz, limb.sample_rate_hz)
-    return np.array([_RAMP[0] * low, low, high, _RAMP[1] * high]), np.array([1.0, 0.0, 0.0, 1.0])
 
 
 def _row_along(responses: Responses, output: int) -> Complexes:

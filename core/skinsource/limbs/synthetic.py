@@ -264,9 +264,6 @@ def bending_boost(frequency_hz: Floats, mode_hz: Floats, gain: float, quality: f
     return np.asarray(gain / (1 - ratio**2 + 1j * ratio / quality))
 
 
-#: Numbers of the built-in synthetic limbs.
-SYNTHETIC_LIMBS = (1, 2, 3, 4)
-
 # Long enough that ringing past the last tap does not wrap round to the first.
 _N_FFT = 1024
 # The level of all inputs is such that this one, the pad of digit III, reaches a given peak.

@@ -109,7 +109,6 @@ def test_a_plan_reaches_other_processes_as_it_is():
         ({"variables": (("amplitude", ()),)}, "no values"),
         ({"variables": (("amplitude", (1.0,)), ("amplitude", (2.0,)))}, "named twice"),
         ({"variables": tuple((f"x{k}", tuple(range(100))) for k in range(4))}, "at most 1000000"),
-        ({"level_db": 1000.0}, "level_db"),
         ({"outputs": (3, 3)}, "outputs"),
         ({"axes": "w"}, "axes"),
     ],
