@@ -49,6 +49,7 @@ from .lab import matching as matching
 from .lab import rig_measuring as rig_measuring
 from .lab.playing.devices import Output as Output
 from .lab.playing.markers import Markers as Markers
+from .lab.playing.player import Playback as Playback
 from .lab.playing.player import Player as Player
 from .limbs import locations as locations
 from .limbs.catalog import available_limbs as available_limbs

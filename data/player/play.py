@@ -31,6 +31,7 @@ LOG_COLUMNS = (
     "stimulus",
     "trigger_code",
     "begin_dac_s",
+    "onset_monotonic_s",
     "latency_s",
     "loopback_s",
     "onset",
@@ -91,8 +92,8 @@ def session(rows, options, log):
         with player_of(row, options, markers) as player:
             done = player.play(code=code)
             done.wait()
-        line = (done.first_sample_s, done.latency_s, done.loopback_s, done.onset_is, done.underruns)
-        writer.writerow((trial, row["stimulus"], code, *line))
+        line = (done.first_sample_s, done.onset_monotonic_s, done.latency_s, done.loopback_s)
+        writer.writerow((trial, row["stimulus"], code, *line, done.onset_is, done.underruns))
         log.flush()
         if trial < len(rows):
             time.sleep(options.pause_s)

@@ -5,6 +5,7 @@ import json
 import runpy
 import sys
 import types
+from time import monotonic
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ import soundfile
 import skinsource as ss
 from skinsource.base.errors import StorageError
 from skinsource.lab.playing.triggers import code_in, trigger_of
-from tests.core.playing.synthetic_sound import SyntheticSoundLibrary
+from tests.core.playing.synthetic_sound import INSIDE_S, SyntheticSoundLibrary
 from tests.core.rig_measuring import bench_top
 
 
@@ -54,7 +55,9 @@ def test_the_folder_holds_all_that_is_needed(folder, expected, design):
 def test_it_plays_what_was_exported_with_a_trigger_that_can_be_read(
     folder, player, card, expected, design
 ):
+    before_s = monotonic()
     player.main(["--gain-db", "-6", "--trigger", "4", "--mask", "3"])
+    after_s = monotonic()
     (stream,) = card.streams
     drive, marks = stream.samples[:2], stream.samples[3]
     expected_samples = (expected(design, 48_000) * 10 ** (-6 / 20)).T
@@ -69,6 +72,7 @@ def test_it_plays_what_was_exported_with_a_trigger_that_can_be_read(
     with (folder / "log.csv").open(newline="") as file:
         (row,) = csv.DictReader(file)
     assert float(row["begin_dac_s"]) > 0.0
+    assert before_s < float(row["onset_monotonic_s"]) < after_s + INSIDE_S
     assert (row["onset"], row["loopback_s"], row["underflows"]) == ("estimated", "", "0")
 
 

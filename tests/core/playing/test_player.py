@@ -105,8 +105,16 @@ def test_a_stopped_one_fades_and_the_next_one_begins_at_its_first_sample(sound):
         assert first.wait(20)
         again = player.play()
         assert again.wait_begin(20)
-        again.stop()
+        player.stop()
         assert again.wait(20)
+
+
+def test_a_player_of_which_nothing_plays_is_stopped_in_vain_and_plays_on(sound, player):
+    player.stop()
+    assert player.play().wait(20)
+    player.stop()
+    player.close()
+    assert is_heard_once(sound)
 
 
 def test_what_is_stopped_before_it_begins_is_over_and_the_next_one_plays(sound, player):

@@ -163,14 +163,13 @@ def sound_library() -> ModuleType:
         return package_of_extra("sounddevice", "audio")
     except MissingExtraError as error:
         raise NothingToPlayOnError(
-            f"To play, type: {extra_line('audio')} and start the studio again "
-            f"({printable(error.__cause__)})."
+            f"To play, type: {extra_line('audio')} and start again ({printable(error.__cause__)})."
         ) from error
     except OSError as error:
         raise NothingToPlayOnError(f"{_LIBRARY} ({printable(error)})") from error
 
 
-_NO_DEVICE = "No audio device was found. Connect one and press Refresh."
+_NO_DEVICE = "No audio device was found. Connect one, then press Refresh or start again."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -266,8 +265,9 @@ def device_of(output: Output, known_devices: Sequence[Device]) -> Device:
         if device.name == output.device and output.host_api in ("", device.host_api):
             return device
     raise PlaybackError(
-        f"The device {quoted(output.device)} was not found. Connect it and press Refresh, or "
-        f"choose another; there {'is' if len(known_devices) == 1 else 'are'} "
+        f"The device {quoted(output.device)} was not found. Connect it, then press "
+        "Refresh or start again, or choose another; there "
+        f"{'is' if len(known_devices) == 1 else 'are'} "
         f"{', '.join(device.name for device in known_devices[:5])}."
     )
 

@@ -21,15 +21,15 @@ class Markers:
 
     A marker is text in JSON: ``code``, ``first_sample_s`` (clock of the device), ``latency_s``,
     ``loopback_s``, and ``onset``, which is "estimated" until a loopback was measured.  Its time is
-    that at which the first sample is heard, as the device tells, plus the loopback's delay.
+    that at which the first sample leaves the device, plus the loopback's delay.
 
     Parameters
     ----------
     name
         Name of the stream; that of the drive is the same with " drive".
     drive_outputs
-        Outputs of a second stream, which holds what is played, an output a channel; 1 is full scale
-        at 0 dB.  0: no such stream.
+        Outputs of a second stream, which holds the drive, an output a channel; 1 is full scale at
+        0 dB.  The trigger is not in it.  0: no such stream.
     drive_rate_hz
         Rate of the device, and of that stream.
 

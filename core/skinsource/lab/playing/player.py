@@ -37,7 +37,7 @@ _FARTHEST_S = 3600.0
 
 
 class Playback:
-    """One time that a stimulus is played; `Player.play` makes it.
+    """One time that a stimulus is played; `Player.play` returns it.
 
     Attributes
     ----------
@@ -46,11 +46,12 @@ class Playback:
     code
         What the trigger tells.
     requested_s
-        When its first sample was to be heard, in the clock of the stream; None: soon.
+        When its first sample was to leave the device, s of its clock; None: soon.
     latency_s
-        How long before it was heard the device asked for the first sample; None before that.
+        From when the device asked for the first sample until it left the device, s; None before.
     loopback_s
-        Delay behind the time that the device tells, as a loopback measured it; None: not measured.
+        Delay behind the time that the device tells, as a loopback measured it, s; None: not
+        measured.
     """
 
     def __init__(
@@ -71,7 +72,7 @@ class Playback:
 
     @property
     def first_sample_s(self) -> float | None:
-        """When the device says that the first sample was heard, s of its clock; None: not yet."""
+        """When the device says that the first sample left it, s of its clock; None: not yet."""
         return self._first_s
 
     @property
@@ -104,7 +105,7 @@ class Playback:
 
     @property
     def late_s(self) -> float:
-        """How much later than asked the first sample is heard, s; 0 where it is not late."""
+        """How much later than asked the first sample left the device, s; 0 where it is not late."""
         if self.requested_s is None or self.first_sample_s is None:
             return 0.0
         late_s = self.first_sample_s - self.requested_s
@@ -144,7 +145,7 @@ class Playback:
         until_s = inf if longest_s is None else perf_counter() + longest_s
         while not event.wait(min(_LOOK_S, max(until_s - perf_counter(), 0.0))):
             if self._stream.unresponsive:
-                self.end(gone(self._stream.device.name))
+                self._end(gone(self._stream.device.name))
             elif perf_counter() >= until_s:
                 break
         if self._problem:
@@ -157,14 +158,14 @@ class Playback:
             self._stream.queue.due = None
             self._stream.queue.stop()
 
-    def begin(self, first_s: float) -> None:
-        """Note when its first sample is heard."""
+    def _begin(self, first_s: float) -> None:
+        """Note when its first sample leaves the device."""
         self._ahead_s = self._stream.ahead_s()
         self.latency_s = first_s - self._stream.asked_s
         self._first_s = first_s
         self._begun.set()
 
-    def end(self, problem: str = "") -> None:
+    def _end(self, problem: str = "") -> None:
         """Note that it is over, and why where that is early."""
         self._problem = problem
         self._begun.set()
@@ -197,12 +198,11 @@ class Player:
     trigger_output
         Output, from 1, that tells the code of each time it is played; None: none.
     loopback_s
-        Delay behind the time that the device tells, measured with a cable from an output to an
-        input (`python play.py --loopback` in an exported PsychoPy folder); None: onsets are called
-        estimated.
+        Delay behind the time that the device tells, s: ``behind_s`` of
+        `skinsource.rig_measuring.loopback`; None: onsets are called estimated.
     began
         Called with each `Playback` once its first sample is on its way, from a thread of its own,
-        such as `skinsource.lab.playing.markers.Markers`.
+        such as `Markers`.
 
     Raises
     ------
@@ -294,9 +294,9 @@ class Player:
         Parameters
         ----------
         at
-            When the first sample is to be heard, s, in the clock of the device (`time_s`) or in
-            that of `time.monotonic`; None: as soon as the device can.  The sample is the nearest
-            one.
+            When the first sample is to leave the device, s, in its clock (`time_s`) or in that of
+            `time.monotonic`; None: as soon as the device can.  The sample is the nearest one.
+            Sound comes ``loopback_s`` later.
         clock
             Whose time ``at`` is.
         code
@@ -309,7 +309,9 @@ class Player:
             ``began`` has failed.
         """
         if self._playback is not None and not self._playback.over:
-            raise PlaybackError("The player still plays. Call stop first, or wait for the end.")
+            raise PlaybackError(
+                "The player still plays. Call wait of the playback first, or stop and then wait."
+            )
         if self._stream.closed or self._queue.ending is not None:
             raise PlaybackError("The player is closed. Make a new one.")
         self._check_told()
@@ -337,6 +339,11 @@ class Player:
         self._queue.begin(Due(mix, at_s, self._begin))
         return playback
 
+    def stop(self) -> None:
+        """Fade out what plays, see `Playback.stop`; where nothing plays, nothing happens."""
+        if self._playback is not None:
+            self._playback.stop()
+
     def close(self) -> None:
         """Fall silent and close the device.
 
@@ -355,19 +362,19 @@ class Player:
         """Note in the thread of the device that a playback begins."""
         playback = self._playback
         if playback is not None:
-            playback.begin(first_s)
+            playback._begin(first_s)
             self._told.put(playback)
 
     def _rest(self) -> None:
         if self._playback is not None:
-            self._playback.end()
+            self._playback._end()
 
     def _finish(self) -> None:
         playback, ending = self._playback, self._queue.ending
         if playback is not None and not playback.over:
             problem = gone(self.device.name) if ending is None else ending.sentence
             # Closing the device falls silent at once: that is no problem.
-            playback.end("" if self._stream.closed else problem)
+            playback._end("" if self._stream.closed else problem)
 
     def _tell(self, began: Callable[[Playback], None]) -> None:
         while (playback := self._told.get()) is not None:
