@@ -1,5 +1,6 @@
 """``skinsource doctor`` says what is installed, and what works."""
 
+import sys
 import tomllib
 from importlib.metadata import PackageNotFoundError
 from pathlib import Path
@@ -46,6 +47,18 @@ def test_every_extra_has_a_line_that_says_how_to_get_what_is_missing(told, monke
     for extra in EXTRAS.keys() - {"all"}:
         assert "is missing. Install it with: " in said[extra]
         assert f"[{extra}]" in said[extra]
+
+
+def test_the_self_contained_folder_is_told_what_works_there(told, monkeypatch):
+    def version(name):
+        raise PackageNotFoundError(name)
+
+    monkeypatch.setattr(doctor_command, "version", version)
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    said = told()
+    assert "docs/installing.html" in said["parquet"]
+    assert "pip" not in said["parquet"]
+    assert said["next"] == "open the studio with: ./skinsource-gui"
 
 
 def test_a_qt_that_cannot_start_is_a_line_and_ends_nothing(told, monkeypatch):

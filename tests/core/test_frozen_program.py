@@ -11,8 +11,8 @@ import pytest
 from loky import ProcessPoolExecutor
 
 from skinsource.base import extras
+from skinsource.base.errors import MissingExtraError
 from skinsource.readers.reading_process import ReadingProcess
-from skinsource.version import __version__
 
 PROGRAM = Path("packaging/frozen_program.py").absolute()
 
@@ -70,6 +70,8 @@ def test_libraries_that_the_system_lacks_are_those_of_the_folder(frozen, tmp_pat
     assert found == ["of the system", str(tmp_path / "libours.so.2"), None]
 
 
-def test_where_no_package_can_be_added_another_installation_is_named(frozen):
-    wheel = f"./skinsource-{__version__}-py3-none-any.whl[all,cluster]"
-    assert extras.extra_line("cluster") == f'pipx install "{wheel}"'
+def test_where_no_package_can_be_added_the_page_on_installing_is_named(frozen):
+    with pytest.raises(MissingExtraError) as error:
+        extras.package_of_extra("no_package_of_this_name", "cluster")
+    assert "takes no further packages; docs/installing.html says" in str(error.value)
+    assert "pip" not in str(error.value)

@@ -8,14 +8,25 @@ from pathlib import Path
 from types import ModuleType
 
 from skinsource.base.errors import MissingExtraError, printable, quoted
-from skinsource.version import __version__
+
+
+def in_folder() -> bool:
+    """Whether this is the self-contained folder."""
+    return getattr(sys, "frozen", False)
+
+
+def extra_cure(extra: str) -> str:
+    """Return the sentence that says how to get an extra that is missing."""
+    if in_folder():
+        return (
+            "This folder takes no further packages; docs/installing.html says how to install "
+            "SkinSource with them."
+        )
+    return f"Install it with: {extra_line(extra)}"
 
 
 def extra_line(extra: str) -> str:
     """Return the line to type to install an extra, for a checkout or an installed package."""
-    if getattr(sys, "frozen", False):
-        # The self-contained folder takes no more packages.
-        return f'pipx install "./skinsource-{__version__}-py3-none-any.whl[all,{extra}]"'
     checkout = Path(__file__).resolve().parents[3]
     requirement = f'"skinsource[{extra}]"'
     if (checkout / "pyproject.toml").is_file():
@@ -46,5 +57,5 @@ def package_of_extra(name: str, extra: str) -> ModuleType:
         raise MissingExtraError(
             f"the package {quoted(name)} is needed for this and cannot be imported "
             f"({printable(error)}). "
-            f"Install it with: {extra_line(extra)}"
+            f"{extra_cure(extra)}"
         ) from error

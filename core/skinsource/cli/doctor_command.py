@@ -10,7 +10,7 @@ from typing import Any
 
 from skinsource.base.assets import cache_folder, config_folder, user_folder
 from skinsource.base.errors import PlaybackError, RecordingError
-from skinsource.base.extras import extra_line
+from skinsource.base.extras import extra_cure, in_folder
 from skinsource.base.run_limited import run_limited
 from skinsource.lab.playing.devices import devices
 from skinsource.limbs.catalog import available_limbs
@@ -44,7 +44,8 @@ def _doctor(_: argparse.Namespace) -> None:
         "cache": str(cache_folder()),
     }
     opens = lines["Qt"].startswith("starts")
-    lines["next"] = "open the studio with: skinsource-gui" if opens else "do what the line Qt says"
+    studio = "./skinsource-gui" if in_folder() else "skinsource-gui"
+    lines["next"] = f"open the studio with: {studio}" if opens else "do what the line Qt says"
     for name, text in lines.items():
         sys.stdout.write(f"{name:<12}{text}\n")
 
@@ -64,7 +65,7 @@ def _versions(extra: str, names: list[str]) -> str:
     try:
         return ", ".join(f"{name} {version(name)}" for name in names)
     except PackageNotFoundError as error:
-        return f"{error.name} is missing. Install it with: {extra_line(extra)}"
+        return f"{error.name} is missing. {extra_cure(extra)}"
 
 
 def _qt() -> str:

@@ -567,7 +567,8 @@ def _names(beside: Sequence[Snapshot], shown: Design) -> list[str]:
     single = ["" if hz is None or hz == inf else f"{hz:g}\N{NO-BREAK SPACE}Hz" for hz in known_hz]
     this, names = shown_snapshot(beside, shown), []
     for each, title, hz in zip(beside, told, single, strict=True):
-        called = "This design" if each is this else snapshot_name(each.number).capitalize()
+        called = snapshot_name(each.number).removeprefix("the ").capitalize()
+        called = f"{called}, shown above" if each is this else called
         tells = own.get(title, title) or (hz if single.count(hz) == 1 else "")
         names.append(" · ".join(filter(None, (called, tells))))
     return names

@@ -210,7 +210,7 @@ def test_snapshots_stand_beside_the_design_in_one_scale():
     shown = content(design_of(), snapshots=snapshots)
     own, missing, other = shown["snapshots"]
     assert (own["title"], missing["title"], other["title"]) == (
-        "This design",
+        "Working design, shown above",
         "Snapshot 1",
         "Snapshot 2 · Louder",
     )
@@ -234,12 +234,27 @@ def test_snapshots_are_told_by_their_titles_else_by_their_frequencies():
         return [each["title"] for each in content(designs[1], snapshots=stored)["snapshots"]]
 
     told = names(("Reach · low", "Reach · middle", "Reach · high"))
-    assert told == ["Snapshot 1 · low", "This design · middle", "Snapshot 3 · high"]
+    assert told == ["Snapshot 1 · low", "Snapshot 2, shown above · middle", "Snapshot 3 · high"]
+    called = ("Snapshot 1", "Snapshot 2, shown above", "Snapshot 3")
     by_hz = [
-        f"{called} · {hz}\N{NO-BREAK SPACE}Hz"
-        for called, hz in (("Snapshot 1", 50), ("This design", 100), ("Snapshot 3", 200))
+        f"{each} · {hz}\N{NO-BREAK SPACE}Hz"
+        for each, hz in zip(called, (50, 100, 200), strict=True)
     ]
     assert names(("", "", "")) == names(("A tone", "A tone", "A tone")) == by_hz
+
+
+def test_snapshots_that_neither_title_nor_frequency_tells_have_the_numbers_of_the_window():
+    def both(amplitude):
+        other = ss.waveforms.Tone(frequency_hz=200.0, duration_s=0.2)
+        return design_of(tone(), ss.track(9, other, amplitude=amplitude), title="Two tones")
+
+    stored = tuple(Snapshot(number=k, design=both(float(k))) for k in (1, 2))
+
+    def names(shown):
+        return [each["title"] for each in content(shown, snapshots=stored)["snapshots"]]
+
+    assert names(both(2.0)) == ["Snapshot 1", "Snapshot 2, shown above"]
+    assert names(both(3.0)) == ["Working design, shown above", "Snapshot 1", "Snapshot 2"]
 
 
 def test_maps_of_snapshots_know_their_inputs_and_what_is_mostly_noise(synthetic_installed):
