@@ -495,8 +495,9 @@ class OverviewStrip(pyqtgraph.PlotWidget):
         self._longest_s, self._lasts_s = longest_s, 1.0
         # Where a new part was begun.
         self._begun_s: float | None = None
-        hint = "Drag over the part to import; double click: all of it"
-        named(self, "import_overview", "Whole recording; type the part in Start and Length", hint)
+        self.setObjectName("import_overview")
+        self.setAccessibleName("Whole recording; type the part in Start and Length")
+        self.setToolTip("Drag over the part to import; double click: all of it")
         self.setFixedHeight(_HEIGHT_PX)
         self.setBackground(QtGui.QColor(current_theme().base))
         self.setMouseEnabled(x=False, y=False)
