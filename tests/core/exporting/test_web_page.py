@@ -605,6 +605,64 @@ def test_keys_play_and_step(open_page):
     assert play.text == "Play"
 
 
+@pytest.mark.parametrize("clicked", ["#play", "[value=levels]", "#modes label", "#up", "summary"])
+def test_what_was_clicked_leaves_the_keys_to_the_time(open_page, clicked):
+    chains = pytest.importorskip("selenium.webdriver.common.action_chains")
+    browser = open_page(design_of())
+    browser.find_element("css selector", clicked).click()
+    browser.execute_script("setPlaying(false); goTo(0.05)")
+    mode = browser.execute_script("return mode()")
+    chains.ActionChains(browser).send_keys("\ue014").perform()
+    assert browser.execute_script("return [timeS, mode()]") == [pytest.approx(0.051), mode]
+    chains.ActionChains(browser).send_keys(" ").perform()
+    assert browser.find_element("id", "play").text == "Pause"
+
+
+def test_what_is_reached_by_keys_has_its_own_use_of_them(open_page):
+    chains = pytest.importorskip("selenium.webdriver.common.action_chains")
+    browser = open_page(design_of())
+    # Motion and Levels are reached first.
+    chains.ActionChains(browser).send_keys("\ue004", "\ue014").perform()
+    assert browser.execute_script("return mode()") == "levels"
+    chains.ActionChains(browser).send_keys("\ue004", " ").perform()
+    assert browser.execute_script("return [playing, document.activeElement.id]") == [True, "play"]
+
+
+def test_play_begins_where_the_motion_begins(open_page):
+    browser = open_page(design_of(ss.track(7, TONE, onset_s=0.3)), time_range_s=(0.2, 0.5))
+    begin_s = browser.execute_script("return page.loop.begin_s")
+    assert browser.execute_script("return timeS") > begin_s
+    started = "byId('play').click(); return timeS"
+    assert browser.execute_script(started) == begin_s
+    # From another instant it goes on.
+    going_on = "setPlaying(false); goTo(0.35); byId('play').click(); return timeS"
+    assert browser.execute_script(going_on) == 0.35
+
+
+def test_what_the_pointer_reads_follows_time(open_page):
+    chains = pytest.importorskip("selenium.webdriver.common.action_chains")
+    browser = open_page(design_of())
+    canvas = browser.find_element("id", "map")
+    # Output 30, from the middle.
+    away = browser.execute_script("""
+    const map = page.maps[0], { clientWidth, clientHeight } = byId("map");
+    const [place] = placing(map, clientWidth, clientHeight, BELOW_PX);
+    const [x, y] = place(...map.outputs_mm[29]);
+    return [x - clientWidth / 2, y - clientHeight / 2].map(Math.round);
+    """)
+    chains.ActionChains(browser).move_to_element_with_offset(canvas, *away).perform()
+    for mode in ("motion", "levels"):
+        browser.find_element("css selector", f"[value={mode}]").click()
+        chains.ActionChains(browser).send_keys("\ue014").perform()
+        expected = browser.execute_script(
+            "return `at ${clockText()} ${numberText(fieldAt(page, timeS)[29])} m/s²`"
+        )
+        read = browser.find_element("id", "readout").text
+        assert read.startswith("Output 30, ")
+        assert read.endswith(expected)
+        assert " dB re 1 m/s², " in read
+
+
 def test_the_drive_plays_and_stops(open_page):
     browser = open_page(design_of(ss.track(7, ss.waveforms.Tone(duration_s=5.0))))
     sound = browser.find_element("id", "sound")
