@@ -502,12 +502,13 @@ function writeSnapshots() {
     const caption = added(figure, "figcaption", snapshot.title);
     added(caption, "span", snapshot.about);
     if (!snapshot.levels) continue;
-    const levels = levelsOf(snapshot);
-    const loudestText = levelText(Math.max(...levels), " dB");
-    added(caption, "span", `loudest ${loudestText}`);
+    const levels = levelsOf(snapshot), best = loudest(levels);
+    const text = levels[best] <= SILENT_DB ? "nothing moves"
+      : `loudest ${levelText(levels[best], DB)} at output ${best + 1}`;
+    added(caption, "span", text);
     const canvas = added(figure, "canvas", "", caption);
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", `Skin map of ${snapshot.title}, loudest ${loudestText}`);
+    canvas.setAttribute("aria-label", `Skin map of ${snapshot.title}, ${text}`);
     drawings.push([canvas, page.maps[snapshot.map], levels, page.range_db, "levels", snapshot]);
   }
   // Each is as wide as all of them leave room for.

@@ -361,10 +361,11 @@ def open_page(browser, tmp_path):
     """Give a function that opens the page of a design, and returns the driver."""
     support = pytest.importorskip("selenium.webdriver.support.ui")
 
-    def opened(design, width_px=1200, colours="light", **view):
+    def opened(design, width_px=1200, colours="light", height_px=800, **view):
         path = ss.export_page(design, tmp_path / "a.html", view=ss.View(**view))
         features = [{"name": "prefers-color-scheme", "value": colours}]
-        size = {"width": width_px, "height": 800, "deviceScaleFactor": 1, "mobile": width_px < 500}
+        size = {"width": width_px, "height": height_px, "deviceScaleFactor": 1}
+        size["mobile"] = width_px < 500
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
         browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
         browser.get(path.as_uri())
@@ -663,6 +664,20 @@ def test_what_the_pointer_reads_follows_time(open_page):
         assert " dB re 1 m/s², " in read
 
 
+def test_snapshots_say_where_they_are_loudest(open_page):
+    stored = (
+        Snapshot(number=1, design=design_of()),
+        Snapshot(number=2, design=design_of(tone(muted=True))),
+    )
+    browser = open_page(design_of(), snapshots=stored)
+    levels_db = ss.evaluate(design_of(), "output_levels_db")["output_levels_db"]
+    loudest = np.argmax(levels_db)
+    own, silent = browser.find_elements("css selector", "figcaption span:last-child")
+    level = f"{levels_db[loudest]:.1f}".replace("-", "\N{MINUS SIGN}")
+    assert own.text == f"loudest {level} dB re 1 m/s² at output {loudest + 1}"
+    assert silent.text == "nothing moves"
+
+
 def test_the_drive_plays_and_stops(open_page):
     browser = open_page(design_of(ss.track(7, ss.waveforms.Tone(duration_s=5.0))))
     sound = browser.find_element("id", "sound")
@@ -671,6 +686,13 @@ def test_the_drive_plays_and_stops(open_page):
     sound.click()
     open_page.wait(browser, "return byId('sound').textContent === 'Play the drive'")
     assert not open_page(design_of(tone(muted=True))).find_element("id", "sound").is_enabled()
+
+
+@pytest.mark.parametrize(("width_px", "height_px"), [(375, 553), (360, 740), (1366, 768)])
+def test_play_is_on_the_first_screen(open_page, width_px, height_px):
+    bottom = "return byId('play').getBoundingClientRect().bottom"
+    browser = open_page(design_of(title="A tone"), width_px, height_px=height_px)
+    assert browser.execute_script(bottom) < height_px
 
 
 @pytest.mark.parametrize("colours", ["light", "dark"])
