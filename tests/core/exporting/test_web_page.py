@@ -3,6 +3,7 @@
 import base64
 import hashlib
 import json
+import re
 import shutil
 import subprocess
 import zlib
@@ -251,6 +252,19 @@ def test_maps_of_snapshots_know_their_inputs_and_what_is_mostly_noise(synthetic_
     (noise,) = [found for found in findings if found.name == "noise"]
     assert len(noise.outputs) > 10
     assert (other["inputs"], other["noisy"]) == ((7,), noise.outputs)
+
+
+def test_errors_have_two_digits_and_are_not_below_what_is_known():
+    design = design_of()
+    rms = ss.evaluate(design, "output_rms")["output_rms"]
+    known = ExportedDesign(design, ss.View()).value(
+        "trace_error", outputs=(int(np.argmax(rms)) + 1,)
+    )
+    (line,) = [line for line in content(design)["details"] if line.startswith("error of")]
+    told = re.search(r"about ([\d.e-]+) .* at most ([\d.e-]+) ", line).groups()
+    for text, error in zip(told, (known.estimate, known.bound), strict=True):
+        assert re.fullmatch(r"\d(\.\d)?e-\d+", text)
+        assert error <= float(text) <= 1.1 * error
 
 
 def test_a_zoomed_view_gives_its_part():
