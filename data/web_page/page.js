@@ -108,7 +108,7 @@ function fieldAt(page, timeS) {
 
 const levelsOf = (page) => page.levels.map((hundredths) => hundredths / 100);
 const minus = (text) => text.replace("-", "\u2212");
-const SILENT_DB = -199;
+const SILENT_DB = -199, DB = " dB re 1 m/s²";
 const levelText = (db, unit = "") => (db <= SILENT_DB ? "silent" : minus(db.toFixed(1)) + unit);
 const numberText = (value) => minus(String(Number(value.toPrecision(3))));
 const endTexts = ([low, high], [least, most]) => [
@@ -309,6 +309,8 @@ function drawRows(box, page, rows, rowPx) {
 // ---- the page ----
 
 let page = null, whole = false, timeS = 0, slower = 1, playing = false, shownAt = 0, voice = null;
+// Whether the pointer was used last, and the output that it reads.
+let pointed = false, read = -1;
 const mode = () => document.querySelector("input[name=mode]:checked").value;
 
 function shown() {
@@ -336,18 +338,25 @@ function writeScale() {
 const clockText = () => minus(`${(1e3 * timeS).toFixed(1)} ms`);
 const outputText = (k) => `output ${k + 1}, ${page.names[k]}`;
 
+function writeReadout(field) {
+  const text = outputText(read), level = levelText(page.levels[read] / 100, DB);
+  byId("readout").textContent = `${text[0].toUpperCase()}${text.slice(1)}: level ${level}, `
+    + `at ${clockText()} ${numberText(field[read])} m/s²`;
+}
+
 function drawSkin() {
   const [values, range, kind] = shown();
   drawMap(byId("map"), page.maps[0], values, range, kind, page);
   const best = kind === "levels" ? loudest(values) : strongest(values);
   const at = kind === "levels" ? "Levels" : clockText();
   const rests = kind === "levels" ? values[best] <= SILENT_DB : values[best] === 0;
-  const value = kind === "levels" ? levelText(values[best], " dB")
+  const value = kind === "levels" ? levelText(values[best], DB)
     : `${numberText(values[best])} m/s²`;
   const text = `${at}: ${rests ? "nothing moves" : `strongest is ${outputText(best)}, ${value}`}`;
   byId("time").value = 1e3 * timeS;
   byId("clock").textContent = clockText();
   for (const cursor of document.querySelectorAll(".cursor:not(#heard)")) move(cursor, timeS);
+  if (read >= 0) writeReadout(kind === "levels" ? fieldAt(page, timeS) : values);
   if (playing) return;
   byId("map").setAttribute("aria-label", `Skin map. ${text}`);
   byId("time").setAttribute("aria-valuetext", text);
@@ -366,6 +375,8 @@ function goTo(seconds) {
 function setPlaying(on) {
   playing = on;
   if (on) byId("modes").querySelector("[value=motion]").checked = true;
+  // The first picture is of the loudest instant.
+  if (on && timeS === page.loop.loudest_s) timeS = page.loop.begin_s;
   byId("play").textContent = on ? "Pause" : "Play";
   writeScale();
   shownAt = performance.now();
@@ -425,9 +436,8 @@ function pointAt(event) {
     if (far < least) [best, least] = [k, far];
   });
   if (best < 0) return;
-  const text = outputText(best), level = levelText(page.levels[best] / 100, " dB");
-  byId("readout").textContent = `${text[0].toUpperCase()}${text.slice(1)}: level ${level}, `
-    + `at ${clockText()} ${numberText(fieldAt(page, timeS)[best])} m/s²`;
+  read = best;
+  writeReadout(fieldAt(page, timeS));
 }
 
 function added(parent, tag, text, before = null) {
@@ -464,7 +474,7 @@ function writeTexts() {
   const levels = levelsOf(page), best = loudest(levels);
   byId("strongest").textContent = `${page.levels_label}. `
     + (levels[best] <= SILENT_DB ? "Nothing moves."
-      : `Strongest: ${outputText(best)}, ${levelText(levels[best], " dB re 1 m/s²")}.`);
+      : `Strongest: ${outputText(best)}, ${levelText(levels[best], DB)}.`);
   byId("levels-summary").textContent = `All ${levels.length} outputs`;
   const body = byId("levels").tBodies[0];
   body.replaceChildren();
@@ -492,12 +502,13 @@ function writeSnapshots() {
     const caption = added(figure, "figcaption", snapshot.title);
     added(caption, "span", snapshot.about);
     if (!snapshot.levels) continue;
-    const levels = levelsOf(snapshot);
-    const loudestText = levelText(Math.max(...levels), " dB");
-    added(caption, "span", `loudest ${loudestText}`);
+    const levels = levelsOf(snapshot), best = loudest(levels);
+    const text = levels[best] <= SILENT_DB ? "nothing moves"
+      : `loudest ${levelText(levels[best], DB)} at output ${best + 1}`;
+    added(caption, "span", text);
     const canvas = added(figure, "canvas", "", caption);
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", `Skin map of ${snapshot.title}, loudest ${loudestText}`);
+    canvas.setAttribute("aria-label", `Skin map of ${snapshot.title}, ${text}`);
     drawings.push([canvas, page.maps[snapshot.map], levels, page.range_db, "levels", snapshot]);
   }
   // Each is as wide as all of them leave room for.
@@ -550,11 +561,17 @@ async function showPage(data) {
   drawRest();
 }
 
+// What was clicked gives its keys back; what was reached by keys has its own use of them.
+function giveBack() {
+  if (pointed) document.activeElement.closest("button, summary, input:not(#time)")?.blur();
+}
+
 function keyPressed(event) {
+  pointed = false;
   if (!page || event.ctrlKey || event.metaKey || event.altKey) return;
-  const own = event.target.closest("button, select, summary, input:not(#time)");
   const move = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-  if (own || !(event.key === " " || move)) return;
+  const own = move ? "select, [type=radio]" : "button, select, summary, input:not(#time)";
+  if (event.target.closest(own) || !(event.key === " " || move)) return;
   event.preventDefault();
   if (move) goTo(timeS + move * (event.shiftKey ? 0.01 : 0.001));
   else setPlaying(!playing);
@@ -570,6 +587,8 @@ function connect() {
   byId("map").addEventListener("pointermove", pointAt);
   byId("map").addEventListener("pointerdown", pointAt);
   document.addEventListener("keydown", keyPressed);
+  document.addEventListener("pointerdown", () => { pointed = true; });
+  document.addEventListener("click", giveBack);
   for (const plot of document.querySelectorAll(".plot")) {
     const follow = (event) => {
       if (!event.buttons) return;

@@ -8,6 +8,7 @@ import hashlib
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
+from decimal import ROUND_CEILING, Context
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -128,9 +129,9 @@ class ExportedDesign:
                 "other."
             )
         return (
-            f"error of {what}, relative to the largest sample: about {error.estimate!r} "
+            f"error of {what}, relative to the largest sample: about {_two_digits(error.estimate)} "
             f"({ESTIMATE_FACTOR:g} x the worst of {N_SAMPLES} samples computed again exactly), at "
-            f"most {error.bound!r} (theory)"
+            f"most {_two_digits(error.bound)} (theory)"
         )
 
     def loudest_error_line(self, rms: Floats) -> str:
@@ -154,6 +155,11 @@ class ExportedDesign:
     def _silence(self, first: int, end: int) -> Iterator[Floats]:
         for start in range(first, end, PIECE_SAMPLES):
             yield np.zeros((self.limb.n_outputs, self.limb.n_axes, min(PIECE_SAMPLES, end - start)))
+
+
+def _two_digits(error: float) -> str:
+    """Return an error with two digits, rounded up."""
+    return f"{float(Context(prec=2, rounding=ROUND_CEILING).create_decimal(error)):.2g}"
 
 
 def describe_played(

@@ -3,6 +3,7 @@
 import base64
 import hashlib
 import json
+import re
 import shutil
 import subprocess
 import zlib
@@ -268,6 +269,19 @@ def test_maps_of_snapshots_know_their_inputs_and_what_is_mostly_noise(synthetic_
     assert (other["inputs"], other["noisy"]) == ((7,), noise.outputs)
 
 
+def test_errors_have_two_digits_and_are_not_below_what_is_known():
+    design = design_of()
+    rms = ss.evaluate(design, "output_rms")["output_rms"]
+    known = ExportedDesign(design, ss.View()).value(
+        "trace_error", outputs=(int(np.argmax(rms)) + 1,)
+    )
+    (line,) = [line for line in content(design)["details"] if line.startswith("error of")]
+    told = re.search(r"about ([\d.e-]+) .* at most ([\d.e-]+) ", line).groups()
+    for text, error in zip(told, (known.estimate, known.bound), strict=True):
+        assert re.fullmatch(r"\d(\.\d)?e-\d+", text)
+        assert error <= float(text) <= 1.1 * error
+
+
 def test_a_zoomed_view_gives_its_part():
     whole, part = content(design_of()), content(design_of(), time_range_s=(0.1, 0.2))
     delay_s = ss.load_limb("synthetic-1").pre_trigger_delay_s
@@ -376,10 +390,11 @@ def open_page(browser, tmp_path):
     """Give a function that opens the page of a design, and returns the driver."""
     support = pytest.importorskip("selenium.webdriver.support.ui")
 
-    def opened(design, width_px=1200, colours="light", **view):
+    def opened(design, width_px=1200, colours="light", height_px=800, **view):
         path = ss.export_page(design, tmp_path / "a.html", view=ss.View(**view))
         features = [{"name": "prefers-color-scheme", "value": colours}]
-        size = {"width": width_px, "height": 800, "deviceScaleFactor": 1, "mobile": width_px < 500}
+        size = {"width": width_px, "height": height_px, "deviceScaleFactor": 1}
+        size["mobile"] = width_px < 500
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
         browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
         browser.get(path.as_uri())
@@ -620,6 +635,78 @@ def test_keys_play_and_step(open_page):
     assert play.text == "Play"
 
 
+@pytest.mark.parametrize("clicked", ["#play", "[value=levels]", "#modes label", "#up", "summary"])
+def test_what_was_clicked_leaves_the_keys_to_the_time(open_page, clicked):
+    chains = pytest.importorskip("selenium.webdriver.common.action_chains")
+    browser = open_page(design_of())
+    browser.find_element("css selector", clicked).click()
+    browser.execute_script("setPlaying(false); goTo(0.05)")
+    mode = browser.execute_script("return mode()")
+    chains.ActionChains(browser).send_keys("\ue014").perform()
+    assert browser.execute_script("return [timeS, mode()]") == [pytest.approx(0.051), mode]
+    chains.ActionChains(browser).send_keys(" ").perform()
+    assert browser.find_element("id", "play").text == "Pause"
+
+
+def test_what_is_reached_by_keys_has_its_own_use_of_them(open_page):
+    chains = pytest.importorskip("selenium.webdriver.common.action_chains")
+    browser = open_page(design_of())
+    # Motion and Levels are reached first.
+    chains.ActionChains(browser).send_keys("\ue004", "\ue014").perform()
+    assert browser.execute_script("return mode()") == "levels"
+    chains.ActionChains(browser).send_keys("\ue004", " ").perform()
+    assert browser.execute_script("return [playing, document.activeElement.id]") == [True, "play"]
+
+
+def test_play_begins_where_the_motion_begins(open_page):
+    browser = open_page(design_of(ss.track(7, TONE, onset_s=0.3)), time_range_s=(0.2, 0.5))
+    begin_s = browser.execute_script("return page.loop.begin_s")
+    assert browser.execute_script("return timeS") > begin_s
+    started = "byId('play').click(); return timeS"
+    assert browser.execute_script(started) == begin_s
+    # From another instant it goes on.
+    going_on = "setPlaying(false); goTo(0.35); byId('play').click(); return timeS"
+    assert browser.execute_script(going_on) == 0.35
+
+
+def test_what_the_pointer_reads_follows_time(open_page):
+    chains = pytest.importorskip("selenium.webdriver.common.action_chains")
+    browser = open_page(design_of())
+    canvas = browser.find_element("id", "map")
+    # Output 30, from the middle.
+    away = browser.execute_script("""
+    const map = page.maps[0], { clientWidth, clientHeight } = byId("map");
+    const [place] = placing(map, clientWidth, clientHeight, BELOW_PX);
+    const [x, y] = place(...map.outputs_mm[29]);
+    return [x - clientWidth / 2, y - clientHeight / 2].map(Math.round);
+    """)
+    chains.ActionChains(browser).move_to_element_with_offset(canvas, *away).perform()
+    for mode in ("motion", "levels"):
+        browser.find_element("css selector", f"[value={mode}]").click()
+        chains.ActionChains(browser).send_keys("\ue014").perform()
+        expected = browser.execute_script(
+            "return `at ${clockText()} ${numberText(fieldAt(page, timeS)[29])} m/s²`"
+        )
+        read = browser.find_element("id", "readout").text
+        assert read.startswith("Output 30, ")
+        assert read.endswith(expected)
+        assert " dB re 1 m/s², " in read
+
+
+def test_snapshots_say_where_they_are_loudest(open_page):
+    stored = (
+        Snapshot(number=1, design=design_of()),
+        Snapshot(number=2, design=design_of(tone(muted=True))),
+    )
+    browser = open_page(design_of(), snapshots=stored)
+    levels_db = ss.evaluate(design_of(), "output_levels_db")["output_levels_db"]
+    loudest = np.argmax(levels_db)
+    own, silent = browser.find_elements("css selector", "figcaption span:last-child")
+    level = f"{levels_db[loudest]:.1f}".replace("-", "\N{MINUS SIGN}")
+    assert own.text == f"loudest {level} dB re 1 m/s² at output {loudest + 1}"
+    assert silent.text == "nothing moves"
+
+
 def test_the_drive_plays_and_stops(open_page):
     browser = open_page(design_of(ss.track(7, ss.waveforms.Tone(duration_s=5.0))))
     sound = browser.find_element("id", "sound")
@@ -628,6 +715,13 @@ def test_the_drive_plays_and_stops(open_page):
     sound.click()
     open_page.wait(browser, "return byId('sound').textContent === 'Play the drive'")
     assert not open_page(design_of(tone(muted=True))).find_element("id", "sound").is_enabled()
+
+
+@pytest.mark.parametrize(("width_px", "height_px"), [(375, 553), (360, 740), (1366, 768)])
+def test_play_is_on_the_first_screen(open_page, width_px, height_px):
+    bottom = "return byId('play').getBoundingClientRect().bottom"
+    browser = open_page(design_of(title="A tone"), width_px, height_px=height_px)
+    assert browser.execute_script(bottom) < height_px
 
 
 @pytest.mark.parametrize("colours", ["light", "dark"])
