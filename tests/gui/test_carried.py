@@ -126,9 +126,8 @@ FOUR = ". ".join(
 )
 
 
-def test_a_scene_that_was_changed_is_not_called_what_it_was(open_window, settle):
+def test_a_scene_that_was_changed_is_not_called_what_it_was(window, settle):
     # Four frequencies, as snapshots of a scene of the paper.
-    window = open_window(DESIGN)
     opened = ss.scenes.open_scene("2B", available=("synthetic-1",))
     window.document.start_over(opened.design, opened.view, None, scene=opened.scene.title)
     settle()
