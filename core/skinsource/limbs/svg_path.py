@@ -179,11 +179,7 @@ class _Pen:
             if kind in "ST":
                 points = [self._mirrored_handle("CS" if kind == "S" else "QT"), *points]
             self._handle = points[-2]
-            for t in np.linspace(0.0, 1.0, PIECES + 1)[1:]:
-                left = [self._at, *points]
-                while len(left) > 1:  # de Casteljau
-                    left = [a + t * (b - a) for a, b in pairwise(left)]
-                self._line(left[0])
+            self._curve([self._at, *points])
 
     def _mirrored_handle(self, kinds: str) -> Floats:
         if self._handle is None or not self._handle_of or self._handle_of not in kinds:
@@ -195,6 +191,13 @@ class _Pen:
             raise ValueError("its path does not begin with a move")
         self.lines[-1].append(end)
         self._at = end
+
+    def _curve(self, points: list[Floats]) -> None:
+        for t in np.linspace(0.0, 1.0, PIECES + 1)[1:]:
+            left = points
+            while len(left) > 1:  # de Casteljau
+                left = [a + t * (b - a) for a, b in pairwise(left)]
+            self._line(left[0])
 
     def _arc(self, numbers: list[float], end: Floats) -> None:
         """Draw an arc: from end points to centre, as in appendix B.2.4 of SVG 2."""
