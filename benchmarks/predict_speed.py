@@ -64,6 +64,7 @@ def main() -> int:
                 if k % 2 == 0:
                     plain_s, expected = timed(plain, limb, drives)
                 prediction._cached_spectra.cache_clear()
+                prediction._cached_gains.cache_clear()
                 first_s, _ = timed(ss.predict, limb, drives, places, None, "upstream")
                 ss.predict(limb, drives, places, None, "upstream")
                 later_s, response = timed(ss.predict, limb, drives, places, None, "upstream")

@@ -21,8 +21,10 @@ PLACES = range(1, 21)
 @pytest.fixture(autouse=True)
 def nothing_remembered():
     prediction._cached_spectra.cache_clear()
+    prediction._cached_gains.cache_clear()
     yield
     prediction._cached_spectra.cache_clear()
+    prediction._cached_gains.cache_clear()
 
 
 @pytest.fixture
@@ -115,6 +117,24 @@ def test_of_a_place_that_is_used_alone_spectra_are_kept_from_the_second_time_on(
     with counting() as counted:
         predict(limb, DRIVES[:1], [8], scaling=scaling)
     assert counted.forward_transforms == 1
+
+
+def test_a_gain_belongs_to_a_drive_at_a_place_of_a_limb(limb):
+    predict(limb, DRIVES, PLACES, scaling="upstream")
+    changed = DRIVES.copy()
+    changed[4, 100] += 0.5
+    with counting() as again:
+        predict(limb, DRIVES, PLACES, scaling="upstream")
+    with counting() as step:
+        predict(limb, changed, PLACES, scaling="upstream")
+    assert again.search_transforms == 0
+    assert 0 < step.search_transforms <= 216
+    other = ss.load_limb("synthetic-2")
+    for used_limb, places in ((limb, (7, 3)), (other, (7, 3)), (limb, (3, 7))):
+        response = predict(used_limb, DRIVES[[0, 0]], places, scaling="upstream")
+        prediction._cached_gains.cache_clear()
+        again = predict(used_limb, DRIVES[[0, 0]], places, scaling="upstream")
+        assert response.tobytes() == again.tobytes()
 
 
 def test_one_input_alone_is_transformed_back_once_and_asks_for_no_second_thread(limb, monkeypatch):

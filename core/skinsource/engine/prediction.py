@@ -1,29 +1,34 @@
 """The prediction for plain drives: `predict`, without a design.
 
 The skin answers with the sum of the convolutions of drives and responses (eq. 1 of the SkinSource
-paper).  Spectra of responses are remembered for all threads, in bounded memory.
+paper).  Spectra of responses and gains of drives are remembered for all threads, in bounded memory.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import cache
+from hashlib import sha256
 from itertools import islice
+from sys import getsizeof
+from threading import Lock
+from weakref import ref
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.base.arguments import checking, real_array
-from skinsource.base.conventions import Floats, check_input_location
+from skinsource.base.conventions import Complexes, Floats, check_input_location
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
 from skinsource.engine.gains import unit_gain, unit_gains
-from skinsource.engine.memory import PREDICT_BYTES
+from skinsource.engine.memory import GAINS_BYTES, PREDICT_BYTES, Memory
 from skinsource.engine.spectra import (
     Response,
     ResponseSpectra,
+    ResponseSpectrum,
     actuated_limb,
     superpose,
 )
@@ -170,8 +175,7 @@ def _at_once(
         responses = _cached_spectra().of(limb, locations, scaling, n_fft)
         gains = [drive.factor for drive in drives]
         if scaling == "upstream":
-            # Bounds by frequency cost more to prepare than the channels that they spare.
-            gains = unit_gains(drives, spectra, responses, tight=False)
+            gains = _gains_of(limb, locations, drives, spectra, responses)
         superpose(
             responses,
             [
@@ -195,6 +199,49 @@ def _at_once(
 @cache
 def _cached_spectra() -> ResponseSpectra:
     return ResponseSpectra(PREDICT_BYTES)
+
+
+@cache
+def _cached_gains() -> Memory[float]:
+    return Memory(GAINS_BYTES, getsizeof)
+
+
+_GAINS_LOCK = Lock()
+
+
+def _gains_of(
+    limb: Limb,
+    locations: Sequence[int],
+    drives: Sequence[Drive],
+    spectra: Sequence[Complexes],
+    responses: Sequence[ResponseSpectrum],
+) -> list[float]:
+    """Return the gain of each drive at its location; arguments as those of `unit_gains`."""
+    digests = [sha256(drive.samples.tobytes()).digest() for drive in drives]
+    keys = [
+        (ref(limb), location, response.n_fft, drive.factor, digest)
+        for location, response, drive, digest in zip(
+            locations, responses, drives, digests, strict=True
+        )
+    ]
+    memory = _cached_gains()
+    with _GAINS_LOCK:
+        known = {key: gain for key in keys if (gain := memory.find(key)) is not None}
+    new = {key: k for k, key in enumerate(keys) if key not in known}
+    if new:
+        gains = unit_gains(
+            [drives[k] for k in new.values()],
+            [spectra[k] for k in new.values()],
+            [responses[k] for k in new.values()],
+            # Bounds by frequency cost more to prepare than the channels that they spare.
+            tight=False,
+        )
+        known |= zip(new, gains, strict=True)
+        with _GAINS_LOCK:
+            for key in new:
+                if memory.find(key) is None:
+                    memory.add(key, known[key])
+    return [known[key] for key in keys]
 
 
 def _checked_drives(drives: ArrayLike) -> Floats:

@@ -108,7 +108,7 @@ class WiringPage(ToolPage):
         self.arm = self.add_arm("wiring_arm", self._arm)
         add = self.add_button
         self.buzz = add("wiring_buzz", "Buzz", "0.6 s of 100 Hz on this output", self._buzz)
-        self.felt = add("wiring_felt", "Felt here", "Note it, and go to the next", self._note)
+        self.felt = add("wiring_here", "Felt here", "Note it, and go to the next", self._note)
         self.sense = add("wiring_sense", "Sensor…", "Polarity and gain by a sensor", self._sense)
         self.loop = add("wiring_loop", "Loopback", "Clicks through the cable", self._loop)
         self.stop = add("wiring_stop", "Stop", "Fall silent at once", self._halt)

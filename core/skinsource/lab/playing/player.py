@@ -161,7 +161,7 @@ class Playback:
     def _begin(self, first_s: float) -> None:
         """Note when its first sample leaves the device."""
         self._ahead_s = self._stream.ahead_s()
-        self.latency_s = first_s - self._stream.asked_s
+        self.latency_s = first_s - self._stream.block_s
         self._first_s = first_s
         self._begun.set()
 

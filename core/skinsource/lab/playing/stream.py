@@ -939,9 +939,9 @@ class Stream:
         Whether it was closed, so that ``finished`` need not be handled.
     answered
         Set once the device has asked for samples, and its clock goes.
-    inside_s, asked_s
-        Time from the last block until it is heard, s, and when it was asked for, in the clock of
-        the device.
+    inside_s, block_s
+        Time from the last block until it is heard, s, and when the device asked for it, in its
+        clock.
 
     Raises
     ------
@@ -956,7 +956,7 @@ class Stream:
         self.queue, self.device = queue, device
         self.underruns, self.closed = 0, False
         self._silent, self._finished, self.answered = Event(), finished, Event()
-        self.inside_s = self.asked_s = 0.0
+        self.inside_s = self.block_s = 0.0
         self._position, self._clock = HeardPosition(queue.sample_rate_hz), DeviceClock()
         self._called_s = perf_counter()
         self._inside_s = 0.0
@@ -1045,7 +1045,7 @@ class Stream:
         if inside_s <= 0.0:
             # Some systems do not say when a block is heard.
             inside_s = self._stream.latency
-        self.inside_s, self.asked_s = inside_s, times.currentTime
+        self.inside_s, self.block_s = inside_s, times.currentTime
         heard_s = times.currentTime + inside_s
         queue.begin_due(heard_s, frames)
         next_block(queue, out)
