@@ -140,9 +140,10 @@ class Graph:
         result = step.rule(*inputs, **stop)
         self.runs[name] += 1
         self.work.rules_run += 1
-        _freeze(result)  # it is remembered, and other threads read it
         if memo is not None and _same(memo[1], result):
             result = memo[1]  # equal, so that results that depend on it stay valid
+        else:
+            _freeze(result)  # it is remembered, and other threads read it
         self._memo[name] = inputs, result
         return result
 
