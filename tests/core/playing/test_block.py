@@ -102,6 +102,38 @@ def test_what_is_due_begins_at_the_sample_of_its_time_and_as_soon_as_it_can(late
         samples, np.r_[np.zeros(first), np.full(300, 0.5), np.zeros(1700 - first)]
     )
     assert rests == [True]
+
+
+class RunningQueue(PlayQueue):
+    """A queue whose device asks for a block after each thing that `begin` sets."""
+
+    def __setattr__(self, name, value):
+        super().__setattr__(name, value)
+        if name in ("due", "busy") and value:
+            self.begin_due(0.0, 8)
+            playing_bench.block(self, 8)
+
+
+def test_a_mix_is_not_over_before_it_has_begun():
+    rests, begun = [], []
+    queue = RunningQueue(1, playing_bench.RATE_HZ, 0.0, lambda: rests.append(len(begun)))
+    queue.begin(Due(playing_bench.mix(playing_bench.tone(400)), None, begun.append))
+    playing_bench.block(queue, 600)
+    assert rests == [1]
+
+
+def test_a_mix_that_is_due_begins_after_the_one_that_still_plays():
+    rests, begun = [], []
+    queue = PlayQueue(1, playing_bench.RATE_HZ, 0.0, lambda: rests.append(len(begun)))
+    for _ in range(2):
+        queue.begin(Due(playing_bench.mix(playing_bench.tone(400)), None, begun.append))
+        queue.begin_due(0.0, 100)
+        playing_bench.block(queue, 100)
+    for _ in range(12):
+        queue.begin_due(1.0, 100)
+        playing_bench.block(queue, 100)
+    assert len(begun) == 2
+    assert rests == [2]
     assert queue.ending is None
 
 

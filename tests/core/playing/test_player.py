@@ -159,6 +159,12 @@ def test_times_of_another_clock_codes_beyond_eight_bits_and_wrong_types_are_refu
     assert len(sound.streams) == 1
 
 
+def test_a_whole_number_that_is_a_float_is_a_code_too(sound, player):
+    playback = player.play(code=5.0)
+    assert playback.wait(20)
+    assert repr(playback.code) == "5"
+
+
 def test_where_an_onset_cannot_be_told_the_player_says_so_and_the_next_is_told(sound):
     told = []
 

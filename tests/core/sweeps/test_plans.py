@@ -102,6 +102,12 @@ def test_a_plan_reaches_other_processes_as_it_is():
     assert replace(plan, level_db=-2.0).digest != plan.digest
 
 
+@pytest.mark.parametrize("level_db", [-3, np.float32(-3.0)])
+def test_a_level_that_is_written_in_another_way_makes_the_same_plan(level_db):
+    plan = Plan(designs=(("a", design(3)),), level_db=-3.0)
+    assert replace(plan, level_db=level_db).digest == plan.digest
+
+
 @pytest.mark.parametrize(
     ("changes", "message"),
     [

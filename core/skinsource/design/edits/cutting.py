@@ -217,7 +217,7 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
 
 
 def _one_clip(design: Design, id: int) -> Clip:
-    """Return the clip with this id, which shall be changed to these times."""
+    """Return the clip with this id."""
     chosen = present_clips(design, (id,))
     if not chosen:
         raise InvalidInputError("That clip is no longer there; choose another one.")

@@ -316,7 +316,7 @@ class Player:
             raise PlaybackError("The player is closed. Make a new one.")
         self._check_told()
         one_of("clock", clock, ("stream", "monotonic"))
-        integer("code", code, 0, 2**BITS - 1)
+        code = integer("code", code, 0, 2**BITS - 1)
         at_s = None if at is None else real_number("at", at)
         if at_s is not None and clock == "monotonic":
             at_s += self._stream.ahead_s() - ahead_of_ours_s(monotonic)

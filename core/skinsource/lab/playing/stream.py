@@ -662,8 +662,9 @@ class PlayQueue:
 
     def begin(self, due: Due) -> None:
         """Have a mix begin by itself."""
-        self.busy = True
+        # A queue that is busy without anything due would tell that a mix has ended.
         self.due = due
+        self.busy = True
 
     def begin_due(self, heard_s: float, n_times: int) -> None:
         """Begin what is due within the next block, which is heard from ``heard_s`` on."""
@@ -903,8 +904,10 @@ def _end_after_last_sample(queue: PlayQueue) -> None:
             return
     if queue.rests is None:
         queue.ending = Ending(reason="stopped" if mix is None else "end")
-    elif queue.busy and queue.due is None:
-        queue.mix, queue.busy = None, False
+        return
+    queue.mix = None
+    if queue.busy and queue.due is None:
+        queue.busy = False
         queue.rests()
 
 

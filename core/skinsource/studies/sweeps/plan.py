@@ -403,7 +403,11 @@ class Plan:
             )
         if self.level_db is not None:
             expected = f"{LOWEST_DB:g} to {HIGHEST_DB:g} dB"
-            real_number("level_db", self.level_db, expected, least=LOWEST_DB, most=HIGHEST_DB)
+            level_db = real_number(
+                "level_db", self.level_db, expected, least=LOWEST_DB, most=HIGHEST_DB
+            )
+            # The same level has the same digest.
+            object.__setattr__(self, "level_db", level_db)
 
     @property
     def drives_actuators(self) -> bool:
