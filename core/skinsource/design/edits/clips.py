@@ -347,7 +347,7 @@ def clips_text(design: Design, chosen: tuple[Clip, ...]) -> str:
 
 def short(time_s: float) -> float:
     """Round a time to 15 digits, which removes what sums of decimal times leave behind."""
-    return float(f"{time_s:.15g}")
+    return float(f"{float(time_s):.15g}")
 
 
 def with_clips(design: Design, clips_of: Callable[[Input], Sequence[Clip]]) -> Design:

@@ -56,7 +56,7 @@ def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> 
     chosen = chosen_clips(design, ids)
     cut = parts_by_id(chosen, at_s)
     if not cut:
-        return Refusal(sentence=_why_uncut(chosen, at_s))
+        return Refusal(sentence=_why_uncut(chosen, float(at_s)))
     after = with_parts(design, cut)
     known = {clip.id for clip in design.clips}
     later = tuple(clip.id for clip in after.clips if clip.id not in known)
