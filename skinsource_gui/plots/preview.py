@@ -161,6 +161,7 @@ def paint_samples(
     block = not is_on_paper() and np.mean(strokes) > _BLOCK * abs(style.reach)
     painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, not block)
     painter.setPen(thin_pen(QtGui.QColor.fromRgba(style.colour)))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
     middle = area.center().y()
     x = area.left() + (curve.line.x - first_s) / (end_s - first_s) * area.width()
     y = middle - np.clip(heights, -1, 1) * (area.height() / 2 - 1)

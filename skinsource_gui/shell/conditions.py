@@ -111,7 +111,7 @@ class ConditionsChip(QtWidgets.QToolButton):
         self.setText(text)
         self.setAccessibleName(f"Conditions of the measurement: {text}")
         self.setAccessibleDescription(about)
-        show_tooltip(self, f"{about}\nClick to see what can be done.")
+        show_tooltip(self, f"{about}\nClick to see what can be done.".lstrip())
 
 
 _REPAIRS = {

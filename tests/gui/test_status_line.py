@@ -241,6 +241,12 @@ def test_the_chip_names_what_a_design_leaves(qtbot, states, text):
     assert chip.accessibleDescription() == described
 
 
+def test_the_hint_of_the_chip_has_one_line_before_anything_is_found(qtbot):
+    chip = ConditionsChip()
+    qtbot.addWidget(chip)
+    assert chip.toolTip() == "Click to see what can be done."
+
+
 @pytest.mark.parametrize("by_key", [False, True])
 def test_conditions_are_explained_and_repaired_from_the_chip(new_window, qtbot, by_key):
     chip = new_window.conditions.chip

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QFontMetricsF, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QScrollArea
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QScrollArea
 
 from skinsource import Clip, Design, Input, View, actuators, edits, load_limb, track
 from skinsource.actuators.actuation import Actuation, ActuatorAt
@@ -19,7 +19,8 @@ from skinsource.design.target import Target, is_unsolved, target_in
 from skinsource.design.waveforms import Layers, Tap, Tone
 from skinsource.inverse.aiming import aim, aim_of, ways
 from skinsource.inverse.focusing import Wish
-from skinsource_gui.panels.target.panel import head_text, over_text, row_of
+from skinsource_gui.panels.target.panel import TargetPanel, head_text, over_text, row_of
+from tests.gui.panel_host import PanelHost
 from tests.gui.timeline.bench import LanesBench
 
 START = Design(limb="synthetic-1", inputs=(track(7, Tone()),))
@@ -121,6 +122,21 @@ def test_a_panel_in_front_of_the_target_puts_the_brush_away_and_outputs_are_sele
     stroke(window, 30)
     assert target_of(window) is None
     assert window.document.view.outputs == (30,)
+
+
+def test_a_floating_target_that_is_closed_puts_the_brush_away(qtbot):
+    studio, host = QMainWindow(), PanelHost(TargetPanel(), START)
+    qtbot.addWidget(studio)
+    dock = QDockWidget(studio)
+    studio.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, dock)
+    dock.setWidget(host.panel)
+    dock.setFloating(True)
+    studio.show()
+    host.show()
+    host.panel.brushes["strong"].click()
+    assert brush_of(host.view) == "strong"
+    dock.close()
+    assert brush_of(host.view) == ""
 
 
 def test_the_keyboard_paints_too(at_target):

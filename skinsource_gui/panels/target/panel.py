@@ -250,8 +250,9 @@ class TargetPanel(FoundPanel):
 
     def hideEvent(self, event: QtGui.QHideEvent) -> None:
         super().hideEvent(event)
-        # Where no brush is in sight a click on the skin selects; a window that closes keeps it.
-        if brush_of(self._view) and self.window().isVisible():
+        # Where no brush is in sight a click on the skin selects; a studio that closes keeps it.
+        studio = self.window().parentWidget() or self.window()
+        if brush_of(self._view) and studio.isVisible():
             self._brush(NO_BRUSH)
 
     def show_found(self, found: Found | None) -> None:

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent, QGuiApplication
@@ -16,6 +17,7 @@ from skinsource.design.waveforms import Tap, Tone
 from skinsource_gui.pages.library import fragments_to_save
 from skinsource_gui.panels.library.list import OWN
 from skinsource_gui.panels.library.panel import LibraryPanel
+from skinsource_gui.plots import preview
 from tests.gui.panel_host import PanelHost
 
 
@@ -286,3 +288,15 @@ def test_own_presets_are_deleted_after_a_question_and_shipped_ones_never(bench, 
     assert ("My tap" in bench.names) is not yes
     assert "Tap" in bench.names
     assert len(answers["asked"]) == 1
+
+
+def test_between_the_curve_of_a_clip_and_silence_is_the_ground_of_the_clip(qtbot):
+    strip = preview.ClipStrip()
+    qtbot.addWidget(strip)
+    strip.resize(300, 120)
+    arch = np.sin(np.linspace(0.0, np.pi, 400))
+    clip = preview.StripClip(start_s=0.0, duration_s=0.4, samples=arch)
+    strip.show_lanes((preview.Lane(place=7, colour=0, clips=(clip,)),))
+    image = strip.grab().toImage()
+    # Through the arch and the line of silence.
+    assert len({image.pixelColor(170, y).name() for y in range(8, 36)}) == 1
