@@ -644,9 +644,8 @@ class StagePanel(MapsPanel):
             part.setFont(tabular(font))
 
     def _show_words(self, design: Design, view: View, others: Sequence[str]) -> None:
-        track = self._track
         to_add = f"Press {shortcut_text('add_input')} to add an input"
-        plain = self.named() or f"Place {track.location}" if track else to_add
+        plain = self.named() if design.inputs else to_add
         title, words = design.title or plain, design.notes.partition("\n")[0]
         before = self._said_of.setdefault((design.title, design.notes), design)
         now = self._title_now(design, view) if design.title else plain

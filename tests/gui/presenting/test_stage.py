@@ -616,6 +616,11 @@ def test_a_design_without_a_title_is_called_after_its_file(open_window, tmp_path
     window.document.edit("", replace(window.document.design, title="Two"))
     assert window.panel("stage").heading.text() == "Two"
     window.do("present")
+    for left_of, called in ((None, "Untitled"), (path, "2 two fingers")):
+        window.document.recover(replace(design, title=""), ss.View(), left_of)
+        window.do("present")
+        assert window.panel("stage").heading.text() == called
+        window.do("present")
 
 
 @pytest.mark.parametrize("outputs", [(29, 52), (29, 72)])
