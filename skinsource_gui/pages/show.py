@@ -22,6 +22,7 @@ from skinsource.design.panel_settings import CONTROL
 from skinsource.studies import scenes
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.panels.compare.stage import turned_inputs
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import add_row, in_column, in_row, named
 from skinsource_gui.qt.questions import ask_to_save
@@ -216,6 +217,8 @@ class ShowPage(ToolPage):
         self.sentence.setCursorPosition(0)
         self.notes.setPlainText(entry.notes if known else "")
         if known:
+            of = turned_inputs(entry.design, entry.view)
+            self.knob.set_options((name, f"{title}{of}") for name, title in CONTROL.options)
             self.knob.set_value(entry.knob)
 
     def _change(self, **changes: str) -> None:

@@ -708,12 +708,8 @@ class StagePanel(MapsPanel):
         self.knob.setVisible(number is not None)
         if number is None:
             return
-        track, self._turned, spec, value = number
-        n_turned, of = len(view.selected_inputs), ""
-        if len(design.inputs) > 1:
-            place = f"place\N{NO-BREAK SPACE}{track.location}"
-            of = f", {n_turned} inputs" if n_turned > 1 else f", {place}"
-        self.knob.show_number(self._turned, spec, value, of)
+        _, self._turned, spec, value = number
+        self.knob.show_number(self._turned, spec, value, turned_inputs(design, view))
 
     def _show_traces(self) -> None:
         """Draw the outputs of one map, or the first one of several."""
@@ -892,9 +888,22 @@ def _says(sentence: str, turned: NumberSpec | None) -> bool:
     return any(_number_said(each, turned) is not None for each in _QUANTITY.finditer(sentence))
 
 
+def turned_inputs(design: Design, view: View) -> str:
+    """Return of which input the knob turns a number, or of how many; "" where there is one."""
+    n_turned, track = len(view.selected_inputs), _turned_input(design, view)
+    if track is None or len(design.inputs) == 1:
+        return ""
+    place = f"place\N{NO-BREAK SPACE}{track.location}"
+    return f", {n_turned} inputs" if n_turned > 1 else f", {place}"
+
+
+def _turned_input(design: Design, view: View) -> Input | None:
+    return leading_input(design, view) or next(iter(design.inputs), None)
+
+
 def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] | None:
     """Return what the knob turns: an input, the name of its number, and that number."""
-    track = leading_input(design, view) or next(iter(design.inputs), None)
+    track = _turned_input(design, view)
     if track is None:
         return None
     clip, control = clip_of(track, view), stage_settings(view).control

@@ -62,6 +62,14 @@ def test_designs_files_and_scenes_are_put_into_an_order_and_saved(studio, made, 
     assert not made.isVisible()
 
 
+def test_the_knob_of_a_show_says_which_of_several_inputs_it_turns(page):
+    for scene, of in (("2A", ""), ("2F", ", place\N{NO-BREAK SPACE}8")):
+        page.add_scene(scene)
+        titles = [page.knob.itemText(k) for k in range(page.knob.count())]
+        words = "Automatic", "Frequency", "Amplitude", "Onset"
+        assert titles == [f"{word}{of}" for word in words]
+
+
 def test_a_show_is_presented_in_its_order(studio, made, path):
     made.save()
     made.done(0)
