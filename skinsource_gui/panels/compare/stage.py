@@ -340,9 +340,10 @@ _SUNK_DB = 12.0
 _RESTS_MS = 1000
 
 
-# Begins what stays true; ends a title that numbers were left out of; a number and its unit; a
-# level, share or length, which follows from other numbers.
-_LASTING, _EDITED = ("Try", "Measured", "The skin itself"), " · edited"
+# Begins what is to be tried, and all that stays true; ends a title that numbers were left out of; a
+# number and its unit; a level, share or length, which follows from other numbers.
+_TRY = "Try"
+_LASTING, _EDITED = (_TRY, "Measured", "The skin itself"), " · edited"
 _QUANTITY = re.compile(r"(\d+(?:[.,]\d+)?)[\s-]?([^\W\d]\S*?)(?=[\s,.:;()-]|$)")
 _RESULT = re.compile(r"\d\s?(?:dB|%|[cmµ]m)")
 
@@ -654,7 +655,12 @@ class StagePanel(MapsPanel):
             # What was said of other numbers is no longer true.
             spec = self._turned_alone(before, design, view)
             parts = re.split(r"(?<=\.) (?=[A-Z])", words)
-            said = " ".join(p for p in parts if p.startswith(_LASTING) or not _says(p, spec))
+            number = _number(design, view)
+            said = " ".join(
+                part
+                for part in parts
+                if not (_is_tried(part, number) if part.startswith(_LASTING) else _says(part, spec))
+            )
         # The end of a title says which of them it is.
         texts = title, now.removesuffix(_EDITED)
         title, now = (common_title([text, *others]) or text for text in texts)
@@ -683,9 +689,7 @@ class StagePanel(MapsPanel):
         (_, _, spec, then), (*_, value) = filter(None, numbers)
 
         def said(match: re.Match[str]) -> str:
-            number = _number_said(match, spec)
-            other = number is None or not isclose(number, then, rel_tol=5e-3)
-            return match[0] if other else value_text(value, spec.unit)
+            return value_text(value, spec.unit) if _is_said(match, spec, then) else match[0]
 
         live = _QUANTITY.sub(said, title)
         if live != title:
@@ -879,6 +883,19 @@ def _number_said(match: re.Match[str], spec: NumberSpec) -> float | None:
         return parse_number(f"{match[1]} {match[2]}", spec)
     except InvalidInputError:
         return None
+
+
+def _is_said(match: re.Match[str], spec: NumberSpec, value: float) -> bool:
+    number = _number_said(match, spec)
+    return number is not None and isclose(number, value, rel_tol=5e-3)
+
+
+def _is_tried(sentence: str, number: tuple[Input, str, NumberSpec, float] | None) -> bool:
+    """Whether a sentence asks to turn a number to what it is."""
+    if number is None or not sentence.startswith(_TRY):
+        return False
+    *_, spec, value = number
+    return any(_is_said(each, spec, value) for each in _QUANTITY.finditer(sentence))
 
 
 def _says(sentence: str, turned: NumberSpec | None) -> bool:

@@ -479,6 +479,13 @@ TURNED = {
 }
 
 
+def test_what_is_to_be_tried_is_not_said_once_it_is_done(stage):
+    stage.knob.edited.emit(60.0, None)
+    assert stage.sentence.text() == SENTENCE
+    stage.knob.edited.emit(50.0, None)
+    assert stage.sentence.text() == "Waves run towards the wrist."
+
+
 @pytest.mark.parametrize(("title", "turned"), TURNED.items())
 def test_words_of_ones_own_say_the_number_that_is_played(stage, qtbot, title, turned):
     document = stage.window().document
