@@ -70,6 +70,13 @@ def test_the_knob_of_a_show_says_which_of_several_inputs_it_turns(page):
         assert titles == [f"{word}{of}" for word in words]
 
 
+@pytest.mark.parametrize("scale", [1.0, 1.8])
+def test_words_of_a_show_have_more_room_than_its_list(studio, scale):
+    studio.appearance._scale_text(scale)
+    page = studio.presenter.make_show()
+    assert min(page.heading.width(), page.sentence.width()) > 1.5 * page.list.width()
+
+
 def test_a_show_is_presented_in_its_order(studio, made, path):
     made.save()
     made.done(0)
