@@ -372,11 +372,13 @@ class NumberField(Editor, QtWidgets.QLineEdit):
         self._drag = None
 
     def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
-        if self.editing:
-            super().mouseDoubleClickEvent(event)
-        elif event.button() == Qt.MouseButton.LeftButton:
+        if event.button() == Qt.MouseButton.LeftButton:
             self._drag = None
-            self.begin_editing()
+            if not self.editing:
+                self.begin_editing()
+            # A third click selects all, too, where Qt was told of the second.
+            super().mouseDoubleClickEvent(event)
+            self.selectAll()
 
     def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)

@@ -22,9 +22,12 @@ from skinsource.design.panel_settings import CONTROL
 from skinsource.studies import scenes
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.panels.compare.stage import turned_inputs
 from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.layouts import add_row, in_column, in_row, named
 from skinsource_gui.qt.questions import ask_to_save
+from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.preferences import Preferences
 
 TITLE = "Show"
@@ -173,13 +176,14 @@ class ShowPage(ToolPage):
             add_row(form, f"show_{label.lower()}", label, field)
         self._about = page_label("show_about", _ABOUT, tone="dim")
         in_column(self._about, None, of=self.list.viewport())
-        left = in_column((self.list, 1), in_row(self.add, up, down, remove, None))
+        buttons = FoldingRow((self.add, up, down, remove), UNIT_PX // 2, left=True)
+        left = in_column((self.list, 1), buttons)
         hint, first = "Show it from its first design", partial(self._present, 0)
         present = self.add_button("show_present", "Present", hint, first)
         save = self.add_button("show_save", "Save", "Write the show to its file", self.save)
         close = self.add_button("show_close", "Close", "", self.reject)
         foot = in_row((self.message, 1), present, save, close)
-        in_column((in_row((left, 1), (form, 1)), 1), foot, of=self)
+        in_column((in_row((left, 1), (form, 2)), 1), foot, of=self)
         self._of_entry = up, down, remove, present
 
     def _add(self, entries: Sequence[Entry]) -> None:
@@ -216,6 +220,8 @@ class ShowPage(ToolPage):
         self.sentence.setCursorPosition(0)
         self.notes.setPlainText(entry.notes if known else "")
         if known:
+            of = turned_inputs(entry.design, entry.view)
+            self.knob.set_options((name, f"{title}{of}") for name, title in CONTROL.options)
             self.knob.set_value(entry.knob)
 
     def _change(self, **changes: str) -> None:

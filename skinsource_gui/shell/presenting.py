@@ -383,9 +383,9 @@ class Presenter(QObject):
 
     @property
     def _document_name(self) -> str:
-        """What the design is called among scenes or files; empty where it is new."""
-        path = self._document.path
-        return self._document.scene or ("" if path is None else path.stem)
+        """What the design is called among scenes or files."""
+        path = self._document.path or self._document.recovered_from
+        return self._document.scene or ("Untitled" if path is None else path.stem)
 
     def _keep_comparison(self) -> None:
         """Have the stage show what the Compare panel compares, if that is in sight."""
@@ -401,7 +401,7 @@ class Presenter(QObject):
     def _shown_entry(self) -> ShowEntry:
         """Return the entry of a show that the design in the window is now."""
         self._keep_comparison()
-        design, name = self._document.design, self._document_name or "Untitled"
+        design, name = self._document.design, self._document_name
         return ShowEntry.of(design, self._document.view, design.title or name)
 
     def _bars(self) -> list[QtWidgets.QWidget]:

@@ -241,3 +241,12 @@ def test_what_is_chosen_is_predicted_through_only_where_that_is_switched_on():
     on = edits.predict_through(off, SEEN, chosen).design
     changed = edits.choose_actuation(on, SEEN, replace(chosen, equaliser=INVERSE, on=False)).design
     assert changed.actuated == replace(chosen, equaliser=INVERSE)
+
+
+def test_a_step_says_whether_actuator_or_equaliser_was_changed():
+    coil = ss.Actuation(actuators=(ss.ActuatorAt(actuator="Coil", model=COIL),))
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),), actuation=coil)
+    piezo = ss.Actuation(actuators=(ss.ActuatorAt(actuator="Piezo", model=PIEZO),))
+    steps = {replace(coil, equaliser=INVERSE): "equaliser", piezo: "actuator"}
+    for changed, what in steps.items():
+        assert edits.choose_actuation(design, SEEN, changed).label == f"Change the {what}"

@@ -313,25 +313,35 @@ class StimulusPart(ExportPart):
         self._show_computed(computed)
 
     def _find_mend(self, order: Order, error: str) -> Edit | None:
-        """Return an edit that mends what the actuators cannot follow, in the thread of the worker.
+        """Return an edit that mends what keeps this from being exported, in the worker's thread.
 
-        It is named after its last part, where several inputs need one; None: ``error`` stays.
+        None: ``error`` stays.
+        """
+        found = self._mended(order)
+        if found is None:
+            return None
+        try:
+            self._work(order, found.design)()
+        except SkinSourceError as left:
+            if str(left) == error:
+                return None
+        return found
+
+    def _mended(self, order: Order) -> Edit | None:
+        """Return an edit without the equaliser of a chip, or for actuators that cannot follow.
+
+        It is named after its last part, where several inputs need one.
         """
         chosen, found = self._design.actuation, None
+        if chosen is not None and chosen.equaliser is not None and not order.format.plays_waveform:
+            without = replace(self._design, actuation=replace(chosen, equaliser=None))
+            return Edit(label="Remove the equaliser", design=without, view=self._view)
         through = None if chosen is None else replace(chosen, equaliser=RegularisedInverse())
         design = replace(self._design, actuation=through)
         for track in audible_inputs(design.inputs):
             found = repair_for_actuators(design, self._view, track.id) or found
             design = found.design if found else design
-        if found is None:
-            return None
-        kept = replace(design, actuation=self._design.actuation)
-        try:
-            self._work(order, kept)()
-        except SkinSourceError as left:
-            if str(left) == error:
-                return None
-        return replace(found, design=kept)
+        return found and replace(found, design=replace(design, actuation=chosen))
 
     def _offer_mend(self, error: Exception | None, edit: Edit | None, _: object) -> None:
         if edit and error is self._error:

@@ -53,7 +53,8 @@ def contact_text(weighted: Weighted, *, as_stored: bool = False) -> str:
         levels = f"largest {most:.3g} {_UNIT} RMS at place {place}, of {len(weighted)} places"
     stored = ", with the amplitudes that were stored" if as_stored else ""
     return (
-        f"ISO 5349-1 Wh, a health weighting, not perception, of the probe itself: {levels}{stored}"
+        "ISO 5349-1 Wh, a health weighting, not perception, of the probe itself from its first to "
+        f"its last motion: {levels}{stored}"
     )
 
 

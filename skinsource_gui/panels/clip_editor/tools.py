@@ -467,6 +467,10 @@ class EnvelopeTool(Tool):
             scaled = scaled_by(drag.points, drag.chosen, drag.handle, by_s, by_value)
             self.changed.emit(scaled, drag.number)
             return
+        lowest, fine = min(drag.points[k][1] for k in drag.chosen), held & Modifier.ControlModifier
+        if by_value and not fine and abs(lowest + by_value) * content.px_per_value < 1.0:
+            # No pixel may be that of 0.
+            by_value = -lowest
         self.changed.emit(algebra.moved(drag.points, drag.chosen, by_s, by_value), drag.number)
 
     def release(self, content: EditorContent) -> None:

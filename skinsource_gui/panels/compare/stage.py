@@ -340,9 +340,10 @@ _SUNK_DB = 12.0
 _RESTS_MS = 1000
 
 
-# Begins what stays true; ends a title that numbers were left out of; a number and its unit; a
-# level, share or length, which follows from other numbers.
-_LASTING, _EDITED = ("Try", "Measured", "The skin itself"), " · edited"
+# Begins what is to be tried, and all that stays true; ends a title that numbers were left out of; a
+# number and its unit; a level, share or length, which follows from other numbers.
+_TRY = "Try"
+_LASTING, _EDITED = (_TRY, "Measured", "The skin itself"), " · edited"
 _QUANTITY = re.compile(r"(\d+(?:[.,]\d+)?)[\s-]?([^\W\d]\S*?)(?=[\s,.:;()-]|$)")
 _RESULT = re.compile(r"\d\s?(?:dB|%|[cmµ]m)")
 
@@ -644,9 +645,8 @@ class StagePanel(MapsPanel):
             part.setFont(tabular(font))
 
     def _show_words(self, design: Design, view: View, others: Sequence[str]) -> None:
-        track = self._track
         to_add = f"Press {shortcut_text('add_input')} to add an input"
-        plain = self.named() or f"Place {track.location}" if track else to_add
+        plain = self.named() if design.inputs else to_add
         title, words = design.title or plain, design.notes.partition("\n")[0]
         before = self._said_of.setdefault((design.title, design.notes), design)
         now = self._title_now(design, view) if design.title else plain
@@ -655,7 +655,12 @@ class StagePanel(MapsPanel):
             # What was said of other numbers is no longer true.
             spec = self._turned_alone(before, design, view)
             parts = re.split(r"(?<=\.) (?=[A-Z])", words)
-            said = " ".join(p for p in parts if p.startswith(_LASTING) or not _says(p, spec))
+            number = _number(design, view)
+            said = " ".join(
+                part
+                for part in parts
+                if not (_is_tried(part, number) if part.startswith(_LASTING) else _says(part, spec))
+            )
         # The end of a title says which of them it is.
         texts = title, now.removesuffix(_EDITED)
         title, now = (common_title([text, *others]) or text for text in texts)
@@ -684,9 +689,7 @@ class StagePanel(MapsPanel):
         (_, _, spec, then), (*_, value) = filter(None, numbers)
 
         def said(match: re.Match[str]) -> str:
-            number = _number_said(match, spec)
-            other = number is None or not isclose(number, then, rel_tol=5e-3)
-            return match[0] if other else value_text(value, spec.unit)
+            return value_text(value, spec.unit) if _is_said(match, spec, then) else match[0]
 
         live = _QUANTITY.sub(said, title)
         if live != title:
@@ -709,12 +712,8 @@ class StagePanel(MapsPanel):
         self.knob.setVisible(number is not None)
         if number is None:
             return
-        track, self._turned, spec, value = number
-        n_turned, of = len(view.selected_inputs), ""
-        if len(design.inputs) > 1:
-            place = f"place\N{NO-BREAK SPACE}{track.location}"
-            of = f", {n_turned} inputs" if n_turned > 1 else f", {place}"
-        self.knob.show_number(self._turned, spec, value, of)
+        _, self._turned, spec, value = number
+        self.knob.show_number(self._turned, spec, value, turned_inputs(design, view))
 
     def _show_traces(self) -> None:
         """Draw the outputs of one map, or the first one of several."""
@@ -886,6 +885,19 @@ def _number_said(match: re.Match[str], spec: NumberSpec) -> float | None:
         return None
 
 
+def _is_said(match: re.Match[str], spec: NumberSpec, value: float) -> bool:
+    number = _number_said(match, spec)
+    return number is not None and isclose(number, value, rel_tol=5e-3)
+
+
+def _is_tried(sentence: str, number: tuple[Input, str, NumberSpec, float] | None) -> bool:
+    """Whether a sentence asks to turn a number to what it is."""
+    if number is None or not sentence.startswith(_TRY):
+        return False
+    *_, spec, value = number
+    return any(_is_said(each, spec, value) for each in _QUANTITY.finditer(sentence))
+
+
 def _says(sentence: str, turned: NumberSpec | None) -> bool:
     """Whether a sentence says a number of what was turned, or follows from it; None: any number."""
     if turned is None or _RESULT.search(sentence):
@@ -893,9 +905,22 @@ def _says(sentence: str, turned: NumberSpec | None) -> bool:
     return any(_number_said(each, turned) is not None for each in _QUANTITY.finditer(sentence))
 
 
+def turned_inputs(design: Design, view: View) -> str:
+    """Return of which input the knob turns a number, or of how many; "" where there is one."""
+    n_turned, track = len(view.selected_inputs), _turned_input(design, view)
+    if track is None or len(design.inputs) == 1:
+        return ""
+    place = f"place\N{NO-BREAK SPACE}{track.location}"
+    return f", {n_turned} inputs" if n_turned > 1 else f", {place}"
+
+
+def _turned_input(design: Design, view: View) -> Input | None:
+    return leading_input(design, view) or next(iter(design.inputs), None)
+
+
 def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] | None:
     """Return what the knob turns: an input, the name of its number, and that number."""
-    track = leading_input(design, view) or next(iter(design.inputs), None)
+    track = _turned_input(design, view)
     if track is None:
         return None
     clip, control = clip_of(track, view), stage_settings(view).control

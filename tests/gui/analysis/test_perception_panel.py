@@ -90,6 +90,9 @@ def test_of_many_contacts_the_largest_is_said_and_all_are_listed():
     assert contact_table(weighted).splitlines()[5] == "4\t0.6"
     few = weighted[:2]
     assert "place 1: 0.5 m\u2060/\u2060s², place 2: 0.5" in contact_text(few)
+    assert all(
+        "from its first to its last motion: " in contact_text(each) for each in (few, weighted)
+    )
     assert contact_list(few) == ""
     assert contact_table(None) == contact_table(()) == contact_text(()) == ""
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPixmap
 from PySide6.QtTest import QTest
 
@@ -37,6 +37,13 @@ def test_a_click_on_the_curve_adds_a_point_that_is_dragged_alone(tone):
     # A double click puts a point anywhere.
     QTest.mouseDClick(tone.canvas.viewport(), LEFT, NONE, tone.at(0.05, 0.2).toPoint())
     assert points(tone)[1][:2] == pytest.approx((0.05, 0.2), abs=0.02)
+
+
+def test_a_point_that_is_dragged_onto_zero_is_zero(tone):
+    shaped(tone, (0.0, 1.0, "straight"), (0.1, 0.5, "straight"))
+    place, zero = tone.at(0.1, 0.5), tone.at(0.1, 0.0)
+    tone.drag_px(place, zero + QPointF(0.0, -0.4))
+    assert points(tone)[1][1] == 0.0
 
 
 def test_fades_are_seen_around_the_envelope_and_change_elsewhere(tone):

@@ -178,6 +178,14 @@ def test_any_shown_number_is_read_back_to_the_value_it_shows():
         assert units.parse_number(units.number_text(value, "s"), DURATION, value) == value
 
 
+def test_further_clicks_select_all_of_the_number_again(make_bench):
+    bench = make_bench(FREQUENCY, 100.5)
+    left, at = Qt.MouseButton.LeftButton, bench.field.rect().center()
+    for click in (QTest.mouseDClick, QTest.mouseClick, QTest.mouseDClick):
+        click(bench.field, left, pos=at)
+        assert bench.field.selectedText() == bench.field.text()
+
+
 def test_a_double_click_types_over_the_number(make_bench):
     bench = make_bench(FREQUENCY, 100.0)
     QTest.mouseClick(bench.field, Qt.MouseButton.LeftButton)

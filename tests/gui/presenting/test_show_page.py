@@ -62,6 +62,21 @@ def test_designs_files_and_scenes_are_put_into_an_order_and_saved(studio, made, 
     assert not made.isVisible()
 
 
+def test_the_knob_of_a_show_says_which_of_several_inputs_it_turns(page):
+    for scene, of in (("2A", ""), ("2F", ", place\N{NO-BREAK SPACE}8")):
+        page.add_scene(scene)
+        titles = [page.knob.itemText(k) for k in range(page.knob.count())]
+        words = "Automatic", "Frequency", "Amplitude", "Onset"
+        assert titles == [f"{word}{of}" for word in words]
+
+
+@pytest.mark.parametrize("scale", [1.0, 1.8])
+def test_words_of_a_show_have_more_room_than_its_list(studio, scale):
+    studio.appearance._scale_text(scale)
+    page = studio.presenter.make_show()
+    assert min(page.heading.width(), page.sentence.width()) > 1.5 * page.list.width()
+
+
 def test_a_show_is_presented_in_its_order(studio, made, path):
     made.save()
     made.done(0)

@@ -479,6 +479,13 @@ TURNED = {
 }
 
 
+def test_what_is_to_be_tried_is_not_said_once_it_is_done(stage):
+    stage.knob.edited.emit(60.0, None)
+    assert stage.sentence.text() == SENTENCE
+    stage.knob.edited.emit(50.0, None)
+    assert stage.sentence.text() == "Waves run towards the wrist."
+
+
 @pytest.mark.parametrize(("title", "turned"), TURNED.items())
 def test_words_of_ones_own_say_the_number_that_is_played(stage, qtbot, title, turned):
     document = stage.window().document
@@ -616,6 +623,11 @@ def test_a_design_without_a_title_is_called_after_its_file(open_window, tmp_path
     window.document.edit("", replace(window.document.design, title="Two"))
     assert window.panel("stage").heading.text() == "Two"
     window.do("present")
+    for left_of, called in ((None, "Untitled"), (path, "2 two fingers")):
+        window.document.recover(replace(design, title=""), ss.View(), left_of)
+        window.do("present")
+        assert window.panel("stage").heading.text() == called
+        window.do("present")
 
 
 @pytest.mark.parametrize("outputs", [(29, 52), (29, 72)])

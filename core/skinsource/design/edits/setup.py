@@ -175,10 +175,7 @@ def predict_through(design: Design, view: View, actuation: Actuation | None) -> 
     if actuation is None and design.actuation is not None:
         actuation = replace(design.actuation, on=False)
     on = actuation is not None and actuation.on
-    if on and design.actuated is not None:
-        label = "Change the actuator"
-    else:
-        label = "Predict through the actuator" if on else "Predict without the actuator"
+    label = "Predict through the actuator" if on else "Predict without the actuator"
     return Edit(label=label, design=replace(design, actuation=actuation), view=view)
 
 
@@ -195,9 +192,11 @@ def choose_actuation(design: Design, view: View, actuation: Actuation | None) ->
     >>> print(edit.design.actuation.on)
     False
     """
+    known, label = design.actuation, "Remove the actuator"
     if actuation is not None:
         actuation = replace(actuation, on=design.actuated is not None)
-    label = "Remove the actuator" if actuation is None else "Change the actuator"
+        same = known is not None and known.actuators == actuation.actuators
+        label = "Change the equaliser" if same else "Change the actuator"
     return Edit(label=label, design=replace(design, actuation=actuation), view=view)
 
 
