@@ -29,7 +29,7 @@ _MOST_MB = 1000
 
 
 def main() -> None:
-    # A quarter of an hour.
+    # More than an hour.
     options = read_options(__doc__, 20_000)
     faulthandler.enable()
     make_application()
