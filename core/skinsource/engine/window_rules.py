@@ -1,6 +1,7 @@
 """Rules from vibrations to the RMS of all outputs in consecutive windows, and their extent."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 
@@ -43,18 +44,20 @@ def windows(
     window_count: int,
     window_s: float,
     response_samples: int,
-    limb_data: Limb,
+    driven_limb: Limb,
     sample_rate_hz: float,
 ) -> Windows:
-    """Windows in which the response to the stimulus arrives."""
-    return windows_over(
-        max(response_samples - limb_data.n_taps + 1, 1),
-        response_samples,
+    """Windows in which the response to the stimulus arrives; actuators may move before it."""
+    lead = driven_limb.lead_samples
+    after = windows_over(
+        max(response_samples - driven_limb.n_taps + 1, 1),
+        response_samples - lead,
         sample_rate_hz,
         count=window_count if windows_cut == "count" else None,
         window_s=window_s,
-        delay_s=limb_data.pre_trigger_delay_s,
+        delay_s=driven_limb.pre_trigger_delay_s,
     )
+    return replace(after, first_sample=lead + after.first_sample)
 
 
 def rms_of_windows(

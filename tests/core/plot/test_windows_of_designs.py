@@ -94,3 +94,22 @@ def test_a_silent_window_has_no_extent_and_no_sound_of_rounding():
     assert values["extents_of_windows"][:3] == (None,) * 3
     assert not values["rms_of_windows"][:3].any()
     assert values["extents_of_windows"][4] is not None
+
+
+def test_windows_lie_on_the_clock_of_the_traces_where_an_equaliser_moves_before_the_stimulus():
+    coil = ss.ActuatorAt(actuator="coil", model=ss.actuators.load("example-voice-coil"))
+    inverse = ss.equalising.RegularisedInverse()
+    through = ss.Actuation(actuators=(coil,), equaliser=inverse, on=True)
+    tone = ss.waveforms.Tone(frequency_hz=150.0, duration_s=0.4)
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone),), actuation=through)
+    view = ss.View(outputs=(29,), windows_cut="count", window_count=4, delay_removed=True)
+    wanted = "windows", "rms_of_windows", "selected_traces", "response_time_s", "sample_rate_hz"
+    values = ss.evaluate(design, *wanted, view=view)
+    time_s, [trace] = values["response_time_s"], values["selected_traces"]
+    assert time_s[0] < -0.1
+    bounds_s = values["windows"].bounds_s(values["sample_rate_hz"])
+    assert bounds_s[-1][1] == pytest.approx(0.4)
+    for (begin_s, end_s), rms in zip(bounds_s, values["rms_of_windows"][:, 28], strict=True):
+        # The first sample is that of the delay, rounded down.
+        within = trace[(time_s > begin_s - 9e-4) & (time_s < end_s - 9e-4)]
+        assert np.sqrt(np.mean(within**2)) == pytest.approx(rms, rel=1e-6)
