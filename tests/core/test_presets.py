@@ -222,6 +222,19 @@ def test_a_whole_design_that_is_placed_again_is_felt_the_same(solo):
     assert presets.whole_design(without_clips) is None
 
 
+def test_clips_of_several_places_are_placed_there_whatever_track_is_selected():
+    design = Design(limb="synthetic-1", inputs=(track(8), track(20)))
+    lanes = tuple(Lane(location=at, clips=(Clip(waveform=Tap()),), offset=at - 2) for at in (2, 3))
+    view = View(selected_inputs=(design.ids[0],))
+    placed = ss.edits.place_fragment(design, view, Fragment(lanes=lanes), "Stroke").design
+    assert [(each.location, len(each.clips)) for each in placed.inputs] == [
+        (8, 1),
+        (20, 1),
+        (2, 1),
+        (3, 1),
+    ]
+
+
 def test_what_a_preset_plays_is_the_sum_of_its_clips():
     clip = Clip(waveform=Tone(100.0, duration_s=0.1), onset_s=0.1, gain=0.5)
     late = Clip(waveform=Tap(), onset_s=0.15, gain=2.0)

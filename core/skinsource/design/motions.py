@@ -416,7 +416,9 @@ class Sweep:
     """
 
     title: ClassVar[str] = "Sweep"
-    law: ClassVar[str] = "Neighbours crossfade with √(1-β) and √β; every step takes equal time."
+    law: ClassVar[str] = (
+        "Neighbours crossfade by cosine and sine, at constant energy; steps take equal time."
+    )
     source: ClassVar[str] = (
         "Energy of phantom sensations: Israr and Poupyrev, Tactile Brush, CHI 2011; equal steps "
         "are this studio's choice."

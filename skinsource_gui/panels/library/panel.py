@@ -24,6 +24,7 @@ from skinsource_gui.qt.windows import application
 from skinsource_gui.state.panel import Panel
 
 _PLACE = "library"
+_AT = "At the playhead, on the selected track; several tracks are new"
 
 
 class LibraryButtons(FoldingRow):
@@ -34,7 +35,7 @@ class LibraryButtons(FoldingRow):
         buttons = (
             page_button(f"preset_{name}", text, hint)
             for name, text, hint in (
-                ("place", "Place", f"At the playhead, on the selected track ({keys['place']})"),
+                ("place", "Place", f"{_AT} ({keys['place']})"),
                 ("save", "Save…", "Save clips or the whole design to the library"),
                 ("rename", "Rename", f"Only your own ({keys['rename']})"),
                 ("delete", "Delete", f"Only your own ({keys['remove']})"),

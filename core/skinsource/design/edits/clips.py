@@ -594,7 +594,7 @@ def place_fragment(
         Time of its start; None: at the playhead.
     input_id
         The track for its first lane; the tracks below get the others.  None: the selected track,
-        of several the uppermost.
+        of several the uppermost, for one lane; several lanes get new tracks at their own places.
     location
         Place of a new track for its first lane; the others get new tracks at the places that they
         came from.  It has precedence over ``input_id``.
@@ -616,7 +616,9 @@ def place_fragment(
         fragment = replace(fragment, lanes=(replace(first, location=location), *others))
         return _with_fragment(design, view, fragment, at_s, label, len(design.inputs))
     if input_id is None:
-        return _with_fragment(design, view, fragment, at_s, label, _selected_row(design, view))
+        own = len(fragment.lanes) > 1
+        row = len(design.inputs) if own else _selected_row(design, view)
+        return _with_fragment(design, view, fragment, at_s, label, row)
     if input_id not in design.ids:
         return _NO_TRACK
     return _with_fragment(design, view, fragment, at_s, label, design.index_of(input_id))
