@@ -18,6 +18,7 @@ from skinsource.design import edits
 from skinsource.design.design import Design, View
 from skinsource.design.design_file import SHOW_SUFFIX, SUFFIX
 from skinsource.design.display_units import value_text
+from skinsource.design.edits.clips import over_text
 from skinsource.design.edits.edit import (
     Edit,
     Refusal,
@@ -113,7 +114,9 @@ def placed(
         shown = edits.select_clips(after, outcome.view, ids).view
         outcome = Edit(label=f"Import {len(recordings)} signals", design=after, view=shown)
     starts = f"Starts at {value_text(clip.onset_s, 's', digits=5)}"
-    return replace(outcome, said=f"{starts} on {_where(outcome)}")
+    return replace(
+        outcome, said=f"{starts} on {_where(outcome)}{over_text(outcome.design, design)}"
+    )
 
 
 def _where(edit: Edit) -> str:

@@ -64,7 +64,7 @@ class Measured:
     Attributes
     ----------
     distance
-        From the first to the second: "Δ 12.0 ms".
+        Where both stand, and from the first to the second: "8.0 to 20.0 ms, Δt 12.0 ms".
     meaning, readings : (n_curves,)
         What each curve does between them, in a few characters, and what these are.
     details : (n_curves,)

@@ -24,7 +24,7 @@ from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.signal_panel import SignalPanel
 from skinsource_gui.plots.curves import Curves, Measured, output_names
 from skinsource_gui.plots.plot import moved_playhead
-from skinsource_gui.plots.ranges import BEFORE_S, Wave, XAxis, significant
+from skinsource_gui.plots.ranges import BEFORE_S, Wave, XAxis, number_text, significant
 from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, heading_of, lazy_lines
 from skinsource_gui.qt.resources import choice_of
 
@@ -211,8 +211,10 @@ def measured_between(results: Mapping[str, Any], between_s: Range) -> Measured:
             strict=True,
         )
     )
+    begin, end = (number_text(time_s * 1e3, 1) for time_s in between_s)
+    apart = significant((between_s[1] - between_s[0]) * 1e3)
     return Measured(
-        distance=f"Δt {significant((between_s[1] - between_s[0]) * 1e3)} ms",
+        distance=f"{begin} to {end} ms, Δt {apart} ms",
         meaning="peak, RMS in m/s²",
         readings=tuple(
             f"{significant(float(peak))}, {significant(float(rms))}"

@@ -164,7 +164,7 @@ def test_traces_are_measured_between_the_cursors_even_relative_to_their_peaks(tr
         inside = (results["response_time_s"] >= BETWEEN_S[0]) & (
             results["response_time_s"] <= BETWEEN_S[1]
         )
-        assert text.where == "peak, RMS in m/s² · Δt 40.0 ms"
+        assert text.where == "peak, RMS in m/s² · 80.0 to 120.0 ms, Δt 40.0 ms"
         for line, trace in zip(text.details, results["selected_traces"], strict=True):
             peak, _, _, rms = numbers(line)
             assert peak == pytest.approx(np.abs(trace[inside]).max(), rel=0.01)

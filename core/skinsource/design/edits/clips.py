@@ -549,15 +549,14 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
     count = sum(len(lane.clips) for lane in fragment.lanes)
     label = "Paste clip" if count == 1 else f"Paste {count} clips"
     outcome = _with_fragment(design, view, fragment, at_s, label, _selected_row(design, view))
-    n_covered = _n_covered(outcome.design, design)
-    over = f", over {counted(n_covered, 'other clip')}" if n_covered else ""
+    over = over_text(outcome.design, design)
     n_new = len(outcome.design.inputs) - len(design.inputs)
     over += f", {counted(n_new, 'track')} added" if n_new else ""
     return replace(outcome, said=f"{counted(count, 'clip')} pasted at {at_s * 1e3:.6g} ms{over}")
 
 
-def _n_covered(after: Design, before: Design) -> int:
-    """Return how many old clips have a new one over them on their track."""
+def over_text(after: Design, before: Design) -> str:
+    """Say how many old clips have a new one over them on their track; "" where none has."""
     old, count = {clip.id for clip in before.clips}, 0
     for track in after.inputs:
         spans = [(clip.onset_s, clip.end_s, clip.id in old) for clip in track.clips]
@@ -567,7 +566,7 @@ def _n_covered(after: Design, before: Design) -> int:
             for start_s, end_s, is_old in spans
             if is_old
         )
-    return count
+    return f", over {counted(count, 'other clip')}" if count else ""
 
 
 @refusing
