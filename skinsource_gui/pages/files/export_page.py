@@ -127,6 +127,7 @@ class ExportPage(ToolPage):
 
     def _show_group(self, group: str) -> None:
         self._stack.setCurrentWidget(self._made(group))
+        self.say("")
         self.setWindowTitle(f"Export {group.lower()}")
         self._show_button()
 
