@@ -14,7 +14,7 @@ from skinsource.design.clips import Clip
 from skinsource.design.design import NUMBERS, Design, Input, View
 from skinsource.design.edits.clips import copy_behind, of_each
 from skinsource.design.edits.cutting import faded_ends
-from skinsource.design.edits.edit import Edit, Refusal, edited_clips
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.inputs import is_plain_sum
 from skinsource.design.panel_settings import brush_of
 from skinsource_gui.pages.files.exports import EXPORTS
@@ -104,7 +104,7 @@ class ActionSpec:
 
 
 def _clips(design: Design, view: View) -> list[Clip]:
-    return [design.clip(id) for id in edited_clips(design, view)]
+    return [design.clip(id) for id in view.selected_clips]
 
 
 def _inputs(design: Design, view: View) -> list[Input]:
@@ -130,7 +130,7 @@ def _on(
     return lambda design, view: edit(design, view, chosen(design, view), *more)
 
 
-_of_clips = partial(_on, edited_clips)
+_of_clips = partial(_on, lambda _, view: view.selected_clips)
 _of_inputs = partial(_on, lambda _, view: view.selected_inputs)
 
 
@@ -152,16 +152,15 @@ def _fades(clip: Clip) -> list[float]:
 
 
 def _fade(end: int, design: Design, view: View) -> Edit | Refusal:
-    """Fade the beginning (0) or the end (1) of those chosen clips that do not fade there."""
+    """Fade the beginning (0) or the end (1) of those selected clips that do not fade there."""
 
     def fade(design: Design, view: View, id: int) -> Edit | Refusal:
         lengths_s = _fades(design.clip(id))
         lengths_s[end] = min(_FADE_S, design.clip(id).duration_s / 2)
         return edits.fade_clip(design, view, id, *lengths_s)
 
-    clips = _clips(design, view)
-    ids = [clip.id for clip in clips if not _fades(clip)[end]]
-    if clips and not ids:
+    ids = [clip.id for clip in _clips(design, view) if not _fades(clip)[end]]
+    if view.selected_clips and not ids:
         way = ("in", "out")[end]
         return Refusal(sentence=f"It fades {way} already; drag the upper corner to change that.")
     return of_each(fade, design, view, ids)
@@ -190,7 +189,7 @@ EDITS: dict[str, MakeEdit] = {
     "match_levels": lambda design, view: edits.match_levels(design, view, not view.levels_matched),
     "keep_match_gain": edits.keep_match_gain,
     "split_clips": lambda design, view: edits.split_clips(
-        design, view, edited_clips(design, view), view.playhead_s
+        design, view, view.selected_clips, view.playhead_s
     ),
     "fade_in": partial(_fade, 0),
     "fade_out": partial(_fade, 1),
@@ -217,10 +216,10 @@ def _has_snapshot(number: int) -> Condition:
 
 
 _OF_INPUTS = "duplicate_input", "remove_input", "mute_input", "solo_input", "select_no_inputs"
-#: Actions on clips: each acts on those that the clip panel shows.
+#: Actions on clips: each acts on those that are selected.
 OF_CLIPS = (
     *("split_clips", "fade_in", "fade_out", "repeat_clips", "duplicate_clips", "mute_clips"),
-    *("remove_clips", "copy_effects", "paste_effects", "limit_to_band"),
+    *("remove_clips", "cut_clips", "copy_effects", "paste_effects", "limit_to_band"),
     *("draw_clip", "shape_envelope", "stretch_clip"),
 )
 #: By name of an action, whether it can be done now; others always can.
@@ -234,8 +233,7 @@ ENABLED: dict[str, Condition] = {
     **{f"rename_snapshot_{number}": _has_snapshot(number) for number in NUMBERS},
     "toggle_snapshots": lambda _, view: bool(view.snapshots),
     "keep_match_gain": lambda design, view: view.match_gain(design) != 1.0,
-    "cut_clips": lambda _, view: bool(view.selected_clips),
-    **_when(lambda design, view: bool(edited_clips(design, view)), *OF_CLIPS),
+    **_when(lambda _, view: bool(view.selected_clips), *OF_CLIPS),
     **_when(lambda _, view: len(view.selected_clips) > 1, "join_clips", "group_clips"),
     "ungroup_clips": lambda design, view: any(map(is_plain_sum, _clips(design, view))),
     "equalise_on_skin": lambda design, view: bool(selected_trains(design, view)),

@@ -10,7 +10,7 @@ from PySide6.QtCore import QEvent, QEventLoop, QKeyCombination, QObject, QPoint,
 from skinsource.design import edits
 from skinsource.design.design import Design, View
 from skinsource.design.edits.clips import of_each
-from skinsource.design.edits.edit import Edit, Refusal, edited_clips
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects import effect_kinds
 from skinsource.design.labels import scalings_on
 from skinsource.design.panel_settings import brush_of, with_settings
@@ -96,8 +96,9 @@ class ClipStretching(QObject):
     def ask(self) -> None:
         """Ask for the new length of the clip that was selected last; stretch all with it."""
         design, view = self._document.design, self._document.view
-        ids = edited_clips(design, view)
-        last_s, n_clips = design.clip(ids[-1]).duration_s, len(ids)
+        if view.selected_clip is None:
+            return
+        last_s, n_clips = design.clip(view.selected_clip).duration_s, len(view.selected_clips)
         title, label = "Stretch clip", "Length, ms"
         if n_clips > 1:
             title = f"Stretch {n_clips} clips"
@@ -115,7 +116,7 @@ class ClipStretching(QObject):
             return edits.stretch_clip(design, view, id, clip.onset_s, clip.onset_s + length_s)
 
         if sure:
-            self._document.apply(of_each(stretch, design, view, ids))
+            self._document.apply(of_each(stretch, design, view, view.selected_clips))
 
 
 def field_choices(panels: PanelRegistry, bring: Callable[[str], None]) -> list[QtGui.QAction]:
@@ -175,7 +176,7 @@ def scene_choices(show: Callable[[str], None]) -> Iterator[QtGui.QAction]:
 def design_choices(document: Document) -> list[QtGui.QAction]:
     """Return new actions: for each meaning of an amplitude, kind of waveform, and effect."""
     design, view = document.design, document.view
-    inputs, clips = view.selected_inputs, edited_clips(design, view)
+    inputs, clips = view.selected_inputs, view.selected_clips
 
     def scale(scaling: str) -> None:
         document.apply(edits.change_scaling(document.design, document.view, scaling))

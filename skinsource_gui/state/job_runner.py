@@ -20,7 +20,7 @@ from skinsource.base.job import Job, Progress, Stop, seconds_left
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, View
-from skinsource.design.edits.edit import Edit, Refusal, edited_clips
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.levelling import MEASURE, track_levels_db, wavelet_levels_db
 from skinsource_gui.state.document import Document
@@ -346,6 +346,6 @@ class Levelling(QObject):
 
 
 def selected_trains(design: Design, view: View) -> list[Clip]:
-    """Return the clips of the clip panel that play a wavelet train."""
-    chosen = map(design.clip, edited_clips(design, view))
+    """Return the selected clips that play a wavelet train."""
+    chosen = [clip for clip in design.clips if clip.id in view.selected_clips]
     return [clip for clip in chosen if isinstance(clip.waveform, WaveletTrain)]

@@ -37,7 +37,6 @@ from skinsource.design.edits.edit import (
     Refusal,
     clip_of,
     clips_of,
-    edited_clips,
     kind_name,
     kind_spec,
     leading_input,
@@ -624,8 +623,11 @@ class InspectorPanel(Panel):
     def _act(self, name: str, _checked: bool = False) -> None:
         """Do an action with the clips that are edited here: they are selected first."""
         design, view = self._design, self._view
-        chosen = edits.select_clips(design, view, edited_clips(design, view))
-        self.view_changed.emit(chosen.view)
+        tracks = (track for track in design.inputs if track.id in view.selected_inputs)
+        shown = None if self._last is None else clip_of(self._last, view)
+        clips = [clip for track in tracks for clip in clips_of(track, view) if clip != shown]
+        ids = [clip.id for clip in (*clips, shown) if clip is not None]
+        self.view_changed.emit(edits.select_clips(design, view, ids).view)
         self.action_requested.emit(name)
 
     def _change_kind(self, _: str, kind: str, gesture: int | None) -> None:

@@ -8,14 +8,7 @@ from skinsource.design import edits
 from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.design import Design, View
 from skinsource.design.edits.clips import chosen_clips, clips_text
-from skinsource.design.edits.edit import (
-    Edit,
-    Refusal,
-    change_clips,
-    edited_clips,
-    leading_clip,
-    refusing,
-)
+from skinsource.design.edits.edit import Edit, Refusal, change_clips, refusing
 from skinsource.design.effects.effect import Effect, KeepsTime
 from skinsource.design.effects.time import Trim
 from skinsource.design.waveforms.pulses import Impulse
@@ -59,13 +52,13 @@ def paste_clips(design: Design, view: View) -> Edit | Refusal:
 
 
 def copy_effects(design: Design, view: View) -> Edit | Refusal:
-    """Put the effects of the clip that the clip panel shows on the clipboard; the design stays.
+    """Put the effects of the clip that was selected last on the clipboard; the design stays.
 
     What cuts its part belongs to that clip, as after a split.
     """
-    clip = leading_clip(design, view)
-    if clip is None:
+    if view.selected_clip is None:
         return NO_CLIPS
+    clip = design.clip(view.selected_clip)
     kept = _cutting(clip)
     effects = tuple(effect for effect in clip.effects if effect not in kept)
     # The shortest waveform: with any, effects that repeat must not become too long.
@@ -79,11 +72,11 @@ def copy_effects(design: Design, view: View) -> Edit | Refusal:
 
 @refusing
 def paste_effects(design: Design, view: View) -> Edit | Refusal:
-    """Replace the effects of what the clip panel shows by those copied; what cuts a part stays."""
+    """Replace the effects of the selected clips by those copied; what cuts a part stays."""
     fragment = _pasted("effects")
     if isinstance(fragment, Refusal):
         return fragment
-    chosen = chosen_clips(design, edited_clips(design, view))
+    chosen = chosen_clips(design, view.selected_clips)
     new = fragment.lanes[0].clips[0].effects
     changes = {clip.id: {"effects": (*_cutting(clip), *new)} for clip in chosen}
     after = change_clips(design, changes)

@@ -14,7 +14,7 @@ from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, View
 from skinsource.design.display_units import value_text
 from skinsource.design.edits.cutting import FadedEnd, faded_ends
-from skinsource.design.edits.edit import Edit, edited_clips
+from skinsource.design.edits.edit import Edit, clips_of, leading_clip
 from skinsource.design.effects.breakpoints import Points, curve_at
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.specs import fields
@@ -424,8 +424,19 @@ class TimelineContent:
 
     @cached_property
     def chosen(self) -> tuple[int, ...]:
-        """Clips that the clip panel edits; the last is the one that it shows."""
-        return edited_clips(self.design, self.view)
+        """Clips that the clip panel edits: of each selected track the selected ones, or its first.
+
+        The last is the one that it shows.
+        """
+        design, view = self.design, self.view
+        tracks = (track for track in design.inputs if track.id in view.selected_inputs)
+        clips = (clip.id for track in tracks for clip in clips_of(track, view))
+        chosen = list(dict.fromkeys((*view.selected_clips, *clips)))
+        last = leading_clip(design, view) if len(chosen) > 1 else None
+        if last is not None and last.id in chosen:
+            chosen.remove(last.id)
+            chosen.append(last.id)
+        return tuple(chosen)
 
     @property
     def keyboard_place(self) -> QPointF:

@@ -267,10 +267,10 @@ class LaneKeys:
         return command not in ("", "give_up")  # without a drag, Esc is for the window
 
     def _act(self, command: str) -> None:
-        """Do what a command does to the clips of the clip panel, or to what is shown."""
+        """Do what a command does to the selected clips, or to what is shown."""
         lanes, content = self._lanes, self._lanes.content
         view = content.view
-        chosen, at_s = content.chosen, view.playhead_s
+        chosen, at_s = view.selected_clips, view.playhead_s
         acts: dict[str, Callable[[], object]] = {
             "zoom_in": lambda: lanes.zoom(ZOOM),
             "zoom_out": lambda: lanes.zoom(1 / ZOOM),
@@ -284,7 +284,7 @@ class LaneKeys:
             "mute": lambda: lanes.edit(edits.toggle_mute_clips, chosen),
             "duplicate": lambda: lanes.edit(copy_behind, chosen, "Duplicate"),
             **{name: partial(lanes.action_requested.emit, name) for name in _ACTIONS},
-            "remove": lambda: lanes.edit(edits.remove_clips, view.selected_clips),
+            "remove": lambda: lanes.edit(edits.remove_clips, chosen),
         }
         if command in _ACTIONS and not chosen:
             lanes.edited.emit(NO_CLIPS, None)

@@ -146,7 +146,7 @@ def test_what_acts_on_clips_acts_on_selected_ones_else_refuses_in_one_sentence(t
     lanes, before = window.panel("timeline").lanes, document.design
     on_clips = {spec.name for spec in ACTIONS if spec.menu == "Clip"} - OTHERS
     assert all(window.actions_by_name[name].isEnabled() for name in on_clips)
-    document.look(edits.select_inputs(document.design, document.view, ()).view)
+    document.look(replace(document.view, selected_clips=()))
     document.refused.connect(refused.append)
     assert not any(window.actions_by_name[name].isEnabled() for name in {*on_clips, "cut_clips"})
     keys = KEYS["timeline"].gestures
@@ -161,30 +161,6 @@ def test_what_acts_on_clips_acts_on_selected_ones_else_refuses_in_one_sentence(t
     QTest.keyClick(lanes, Qt.Key.Key_N)
     QTest.keyClick(lanes, Qt.Key.Key_F)
     assert document.design.inputs[-1].clips[-1].effects == (Fade(0.02, 0.0),)
-
-
-def test_keys_and_menu_act_on_what_the_clip_panel_shows_of_a_selected_track(two_clips):
-    window, document = two_clips, two_clips.document
-    lanes = window.panel("timeline").lanes
-    document.look(edits.select_inputs(document.design, document.view, (1,)).view)
-    on_clips = {spec.name for spec in ACTIONS if spec.menu == "Clip"} - OTHERS
-    pairs = {"join_clips", "group_clips"}
-    enabled = {name for name in on_clips if window.actions_by_name[name].isEnabled()}
-    assert enabled == on_clips - pairs
-    (shown,) = document.design.input(1).clips
-    QTest.keyClick(lanes, Qt.Key.Key_M)
-    assert [clip.id for clip in document.design.clips if clip.muted] == [shown.id]
-    assert window.actions_by_name["mute_clips"].isChecked()
-    window.do("mute_clips")
-    window.do("fade_in")
-    assert document.design.clip(shown.id) == replace(shown, effects=(Fade(0.02, 0.0),))
-    # What is removed, or cut, has to be outlined.
-    before = document.design
-    QTest.keyClick(lanes, Qt.Key.Key_Delete)
-    assert document.design is before
-    assert not window.actions_by_name["cut_clips"].isEnabled()
-    window.do("remove_input")
-    assert 1 not in document.design.ids
 
 
 def test_duplicate_and_remove_of_the_menu_name_what_is_outlined_and_act_on_it(active, qtbot):

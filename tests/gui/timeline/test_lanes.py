@@ -36,7 +36,7 @@ def test_a_click_on_the_ground_selects_the_track_alone_and_keys_then_move_and_re
     before = lanes.design
     lanes.click(lanes.at(0.62))
     assert (lanes.view.selected_inputs, lanes.view.selected_clips) == ((1,), ())
-    for key in (_Key.Key_Delete, _Key.Key_Right, _Key.Key_Up):
+    for key in (_Key.Key_Delete, _Key.Key_Right, _Key.Key_S, _Key.Key_M):
         lanes.key(key)
     assert lanes.design is before
     lanes.look(edits.select_clips(before, lanes.view, (2, 4)).view)

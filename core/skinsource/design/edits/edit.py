@@ -369,18 +369,6 @@ def clip_of(track: Input, view: View) -> Clip | None:
     return next(iter(track.clips), None) if last is None else own[last]
 
 
-def edited_clips(design: Design, view: View) -> tuple[int, ...]:
-    """Return ids of `clips_of` all selected inputs; the leading clip is the last."""
-    tracks = (track for track in design.inputs if track.id in view.selected_inputs)
-    clips = (clip.id for track in tracks for clip in clips_of(track, view))
-    chosen = list(dict.fromkeys((*view.selected_clips, *clips)))
-    last = leading_clip(design, view) if len(chosen) > 1 else None
-    if last is not None and last.id in chosen:
-        chosen.remove(last.id)
-        chosen.append(last.id)
-    return tuple(chosen)
-
-
 def leading_input(design: Design, view: View) -> Input | None:
     """Return the input that was selected last; None where the design has it no more."""
     last = view.selected_input
