@@ -18,11 +18,11 @@ from skinsource.design.design_file import (
     open_design,
     save_show,
 )
-from skinsource.design.panel_settings import CONTROL
+from skinsource.design.panel_settings import ALL, CONTROL
 from skinsource.studies import scenes
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.panels.compare.stage import turned_inputs
+from skinsource_gui.panels.compare.stage import knob_options
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.layouts import add_row, in_column, in_row, named
@@ -220,9 +220,9 @@ class ShowPage(ToolPage):
         self.sentence.setCursorPosition(0)
         self.notes.setPlainText(entry.notes if known else "")
         if known:
-            of = turned_inputs(entry.design, entry.view)
-            self.knob.set_options((name, f"{title}{of}") for name, title in CONTROL.options)
-            self.knob.set_value(entry.knob)
+            options = knob_options(entry.design, entry.view)
+            self.knob.set_options(options)
+            self.knob.set_value(entry.knob if entry.knob in dict(options) else ALL)
 
     def _change(self, **changes: str) -> None:
         item = self.list.currentItem()

@@ -26,12 +26,15 @@ from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, amplitude_unit, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
+from skinsource.design.clips import Clip
 from skinsource.design.comparing import common_title
 from skinsource.design.design import AMPLITUDE_GAIN, EDITED, Design, Input, View
 from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import Edit, clip_of, leading_input
 from skinsource.design.panel_settings import (
     AMPLITUDE,
+    CONTROL,
+    FREQUENCY,
     ONSET,
     STAGE,
     StageSettings,
@@ -905,6 +908,22 @@ def _says(sentence: str, turned: NumberSpec | None) -> bool:
     return any(_number_said(each, turned) is not None for each in _QUANTITY.finditer(sentence))
 
 
+def knob_options(design: Design, view: View) -> list[tuple[str, str]]:
+    """Return which numbers of a design the knob can turn, and their titles."""
+    track, of = _turned_input(design, view), turned_inputs(design, view)
+    clip = None if track is None else clip_of(track, view)
+    left_out = FREQUENCY if clip is None or _frequency_of(clip) is None else ""
+    return [(name, f"{title}{of}") for name, title in CONTROL.options if name != left_out]
+
+
+def _frequency_of(clip: Clip) -> tuple[str, NumberSpec] | None:
+    """Return name and limits of the first frequency of what a clip plays; None: it has none."""
+    for name, spec in specs_of(clip.waveform).items():
+        if isinstance(spec, NumberSpec) and spec.measured_band_hz is not None:
+            return name, spec
+    return None
+
+
 def turned_inputs(design: Design, view: View) -> str:
     """Return of which input the knob turns a number, or of how many; "" where there is one."""
     n_turned, track = len(view.selected_inputs), _turned_input(design, view)
@@ -926,13 +945,11 @@ def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] 
     clip, control = clip_of(track, view), stage_settings(view).control
     if clip is not None and control == ONSET:
         return track, "onset_s", ONSET_SPEC, clip.onset_s
-    if clip is not None and control != AMPLITUDE:
-        facts = facts_of(design.limb)
-        for name, spec in specs_of(clip.waveform).items():
-            if isinstance(spec, NumberSpec) and spec.measured_band_hz is not None:
-                spec = spec.at_rate(facts.sample_rate_hz, facts.band_hz)
-                # Alone, "From" is no name.
-                label = f"{clip.waveform.title} {spec.label.lower()}"
-                return track, name, replace(spec, label=label), getattr(clip.waveform, name)
+    if clip is not None and control != AMPLITUDE and (turned := _frequency_of(clip)):
+        facts, (name, spec) = facts_of(design.limb), turned
+        spec = spec.at_rate(facts.sample_rate_hz, facts.band_hz)
+        # Alone, "From" is no name.
+        label = f"{clip.waveform.title} {spec.label.lower()}"
+        return track, name, replace(spec, label=label), getattr(clip.waveform, name)
     amplitude = AMPLITUDE_GAIN if is_gain(design, track) else amplitude_spec(design)
     return track, "amplitude", amplitude, track.amplitude

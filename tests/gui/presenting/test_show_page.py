@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 import skinsource as ss
 from skinsource.design.design_file import ShowEntry, open_design
 from skinsource.design.panel_settings import StageSettings, stage_settings, with_settings
+from skinsource_gui.panels.compare.stage import knob_options
 from tests.gui.compare.compare_bench import choose
 
 LEFT = Qt.MouseButton.LeftButton
@@ -68,6 +69,16 @@ def test_the_knob_of_a_show_says_which_of_several_inputs_it_turns(page):
         titles = [page.knob.itemText(k) for k in range(page.knob.count())]
         words = "Automatic", "Frequency", "Amplitude", "Onset"
         assert titles == [f"{word}{of}" for word in words]
+
+
+@pytest.mark.parametrize(
+    ("waveform", "turned"),
+    [(ss.waveforms.Tap(), ["all", "amplitude", "onset"]), (ss.waveforms.Tone(), None)],
+)
+def test_the_knob_of_a_show_turns_a_frequency_only_of_what_has_one(waveform, turned):
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, waveform),))
+    options = [name for name, _ in knob_options(design, ss.View())]
+    assert options == (turned or ["all", "frequency", "amplitude", "onset"])
 
 
 @pytest.mark.parametrize("scale", [1.0, 1.8])
