@@ -2,7 +2,7 @@
 
 import math
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import replace
 from time import perf_counter
 
@@ -31,6 +31,7 @@ from skinsource_gui.qt.layouts import Policy, in_row, named, show_tooltip
 from skinsource_gui.qt.overlays import Overlay, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.qt.windows import WindowEvents
+from skinsource_gui.state.conductor import UNPLAYABLE
 from skinsource_gui.state.engine import Engine, Outcome, Purpose, Request
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 
@@ -175,14 +176,18 @@ PAUSE_MS = 250
 _OLDER = "The panels show the design before the last edits"
 
 
-def shown_text(design: Design, view: View) -> str:
-    """Return what the skin map shows, and how many inputs play where some do not."""
+def shown_text(design: Design, view: View, unplayable: Container[int] = ()) -> str:
+    """Return what the skin map shows, and how many inputs play where some do not.
+
+    ``unplayable``: ids of those that cannot.
+    """
     predicted = f"Predicted {_PREDICTED[settings_of(view, SKIN, SkinSettings).quantity]}"
     through = " through actuators" if design.actuated else ""
-    inputs, audible = len(design.inputs), len(audible_inputs(design.inputs))
+    inputs = len(design.inputs)
+    played = sum(track.id not in unplayable for track in audible_inputs(design.inputs))
     if not inputs:
         return "No input yet"
-    playing = "" if audible == inputs else f" · {audible} of {inputs} inputs play"
+    playing = "" if played == inputs else f" · {played} of {inputs} inputs play"
     return f"{predicted}{through}, back of the hand{playing}"
 
 
@@ -210,6 +215,7 @@ class StatusLine(FittingLabel):
         self.clock = EditClock(window)
         self.error: TraceError | None = None
         self._stored, self._shown, self._has_results, self._message = "", "", False, ""
+        self._state, self._unplayable = (Design(limb=""), View()), set[int]()
         self._staleness = Staleness(self)
         self._staleness.changed.connect(self._show_text)
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
@@ -219,16 +225,17 @@ class StatusLine(FittingLabel):
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over what is shown, and of which snapshot."""
+        self._state = design, view
         stored = stored_name(view.snapshots, design)
         self._stored = f"{stored.capitalize()} is shown" if stored else ""
-        self._shown = " · ".join(filter(None, (self._stored, shown_text(design, view))))
-        self._show_text_soon()
+        self._say_shown()
 
     def show_outcome(self, outcome: Outcome) -> None:
         """Take over what the panels show now."""
         self._has_results = True
+        self._unplayable = {track.id for track in (outcome.values or {}).get(UNPLAYABLE, ())}
         self.clock.show_outcome(outcome)
-        self._show_text_soon()
+        self._say_shown()
 
     def show_no_outcome(self) -> None:
         """Forget the last results: there are none."""
@@ -251,6 +258,11 @@ class StatusLine(FittingLabel):
         times = summary(tuple(self.clock.times_s)) or "No edit yet."
         known = "" if self.error is None else f" Traces that are shown: {error_text(self.error)}."
         return f"{times}{known}"
+
+    def _say_shown(self) -> None:
+        text = shown_text(*self._state, self._unplayable)
+        self._shown = " · ".join(filter(None, (self._stored, text)))
+        self._show_text_soon()
 
     def _show_message(self, message: str) -> None:
         self._message = message

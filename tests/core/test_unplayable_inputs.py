@@ -11,6 +11,7 @@ from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.edits.setup import mends
 from skinsource.design.presets.presets import read_preset, shipped_folder
+from skinsource.design.signal_path import unplayable_text
 from skinsource.design.waveforms import Chirplet, Tap, Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.tables import export_levels
@@ -51,6 +52,12 @@ def test_the_others_are_predicted_as_if_it_were_muted(design, edited):
     assert np.array_equal(values["selected_traces"], muted["selected_traces"])
     assert np.isfinite(values["output_levels_db"]).all()
     assert muted["unplayable_inputs"] == ()
+
+
+def test_further_ones_are_named_by_their_places(design):
+    design = replace(design, inputs=(*design.inputs, track(25), track(30)))
+    text = unplayable_text(shown(design)["unplayable_inputs"])
+    assert text.endswith("; nor can 2 more inputs, at 25, 30.")
 
 
 def test_it_is_named_with_the_reason_in_one_sentence(design):

@@ -28,7 +28,11 @@ def colours(inputs):
 
 
 def unplayable_inputs(inputs):
-    return tuple(UnplayableInput(track.id, "too loud") for track in inputs if track.amplitude == 15)
+    return tuple(
+        UnplayableInput(track.id, "too loud", track.location)
+        for track in inputs
+        if track.amplitude == 15
+    )
 
 
 class Recorder(Panel):
@@ -181,7 +185,7 @@ def test_what_cannot_be_computed_is_not_stale_and_what_replaces_it_is_awaited(qt
 
 def test_panels_are_told_which_inputs_results_are_without(stage):
     stage.amplitude(15)
-    unplayable = (UnplayableInput(1, "too loud"),)
+    unplayable = (UnplayableInput(1, "too loud", 7),)
     assert (stage.loud.unplayable, stage.colourful.unplayable) == (unplayable, unplayable)
     assert stage.loud.results[-1]["loudness"].tolist() == [15.0]
     stage.amplitude(13)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from skinsource.design.design import track
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.panel_settings import with_settings
+from skinsource.design.waveforms import Chirplet
 from skinsource.perception.validity import Finding
 from skinsource_gui.panels.skin.settings import SENSATION, SkinSettings
 from skinsource_gui.shell import notices
@@ -41,6 +42,10 @@ def test_the_middle_says_what_the_skin_shows_and_how_many_inputs_are_felt(window
     view, settings = window.document.view, SkinSettings(quantity=SENSATION)
     window.document.look(with_settings(view, "skin", settings))
     wait_for("Predicted sensation level, back of the hand · 1 of 2 inputs play")
+    # Above half the rate nothing can be played.
+    inputs = (track(3), track(4, Chirplet(600.0), colour=1), track(5, muted=True, colour=2))
+    window.document.edit("a", replace(window.document.design, inputs=inputs))
+    wait_for("Predicted sensation level, back of the hand · 1 of 3 inputs play")
     window.document.edit("a", replace(window.document.design, inputs=()))
     wait_for("No input yet")
 

@@ -348,6 +348,7 @@ class UnplayableInput:
 
     id: int
     problem: str
+    location: int
 
     @property
     def sentence(self) -> str:
@@ -359,6 +360,6 @@ def unplayable_text(unplayable: Sequence[UnplayableInput]) -> str:
     """Return one sentence about inputs that cannot be played; empty if there are none."""
     if not unplayable:
         return ""
-    text, more = unplayable[0].sentence, len(unplayable) - 1
-    others = f"; {counted(more, 'more input')} cannot be played either."
+    text, *more = unplayable[0].sentence, *(track.location for track in unplayable[1:])
+    others = f"; nor can {counted(len(more), 'more input')}, at {', '.join(map(str, more))}."
     return f"{text.removesuffix('.')}{others}" if more else text

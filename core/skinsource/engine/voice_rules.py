@@ -161,7 +161,7 @@ def unplayable_inputs(
 ) -> tuple[UnplayableInput, ...]:
     """Inputs that are heard and cannot be played; nothing is predicted of them."""
     return tuple(
-        UnplayableInput(voice.id, checked.problem)
+        UnplayableInput(voice.id, checked.problem, voice.location)
         for voice, checked in checked_voices
         if checked.problem
     )

@@ -70,7 +70,9 @@ def test_words_on_a_silent_lane_look_the_same_over_clips_and_gain_curves(four_la
 def test_a_lane_that_cannot_be_played_is_framed_and_no_other(four_lanes):
     before = picture(four_lanes)
     (unplayable, *_) = four_lanes.design.inputs
-    four_lanes.panel.show_unplayable((UnplayableInput(unplayable.id, "Too low. Choose another."),))
+    four_lanes.panel.show_unplayable(
+        (UnplayableInput(unplayable.id, "Too low. Choose another.", unplayable.location),)
+    )
     after = picture(four_lanes)
     tops = [
         (round(box.rect.center().x()), round(box.rect.top())) for box in four_lanes.content.boxes
