@@ -106,7 +106,7 @@ def _lines(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
     return np.asarray(np.fft.rfftfreq(length, 1.0 / sample_rate_hz), np.float64), level_db
 
 
-_BUDGET_BYTES = 48 * 2**20
+_BUDGET_BYTES = 24 * 2**20
 _BYTES_PER_PIXEL = 4
 # Strokes of this mean length, of 2, make a block, whose edge needs no smoothing.
 _BLOCK = 0.8

@@ -31,7 +31,7 @@ from skinsource_gui.qt.theme import UNIT_PX, set_tone
 #: Weighted RMS of each place in use, m/s²; None: drives are no accelerations of the probe.
 Weighted = tuple[tuple[int, float], ...] | None
 
-_NO_WEIGHTED = "Wh needs drives that are accelerations of the probe"
+_NO_WEIGHTED = "The health weighting Wh needs drives that are accelerations of the probe"
 _MOST_LISTED = 3
 # Word joiners: a line does not break at the slash.
 _UNIT = "m\u2060/\u2060s²"
