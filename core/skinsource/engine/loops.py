@@ -24,6 +24,8 @@ _STRONG = 0.1
 # Outputs are louder that reach this share of the largest acceleration; a motion that passes ends
 # where no more than this share of them moves by more than this share of their own.
 _REST = 0.1
+# Parts are nearly as loud whose RMS differ by less than this share of the loudest one.
+_NEARLY = 0.05
 # It begins so long before the stimulus: the filter of the measurement rings before it.
 _BEFORE_S = 0.005
 _POINTS_PER_PERIOD = 48
@@ -131,9 +133,10 @@ class Loop:
 def shown_part(loops: Sequence[Loop], part_s: float) -> tuple[float, list[float]]:
     """Return when the part begins, after the beginning, in which most of some motions are seen.
 
-    Of several such parts, it is the one in which they are loudest on average.  All of them pass,
-    and last equally long.  With it come the times from there to the loudest part of each, which
-    are 0 where it is seen.
+    It is the loudest part of one motion, and of several the first of those parts that are nearly
+    as loud on average, so that what is short is seen from its beginning.  All of them pass, and
+    last equally long.  With it come the times from there to the loudest part of each, which are 0
+    where it is seen.
     """
     longest = max(loops, key=lambda loop: loop.moving.signals.shape[-1])
     starts_s = np.clip(longest.times_s, 0.0, longest.duration_s - part_s)
@@ -141,7 +144,8 @@ def shown_part(loops: Sequence[Loop], part_s: float) -> tuple[float, list[float]
     highest = levels.max(axis=1, keepdims=True)
     seen = levels >= _REST * highest
     shares = levels / np.maximum(highest, np.finfo(float).tiny)
-    best = int(np.argmax(seen.sum(axis=0) + shares.mean(axis=0)))
+    score = seen.sum(axis=0) + shares.mean(axis=0)
+    best = int(np.argmax(score >= score.max() - (_NEARLY if len(loops) > 1 else 0.0)))
     away_s = np.where(seen[:, best], 0.0, starts_s[levels.argmax(axis=1)] - starts_s[best])
     return float(starts_s[best]), away_s.tolist()
 

@@ -284,7 +284,7 @@ class ComparePanel(MapsPanel):
             painter.setFont(tabular(self.font()))
             room = QRectF(0, 0, width / scale, height / scale)
             content = self.maps.content
-            if self.moves:
+            if self.moves and self.moving.longest_s:
                 content = replace(content, about=self.moving.clock_text)
             paint_page(painter, content, room, theme)
         painter.restore()

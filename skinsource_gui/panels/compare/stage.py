@@ -731,8 +731,7 @@ class StagePanel(MapsPanel):
         end_s = _PERIODS[passes] * self.moving.longest_s
         shown_s = end_s
         if self._held_ends is not None and not (passes or self._passes):
-            low, high = self._held_ends[0]
-            end_s = high - low
+            end_s = float(np.ptp(self._held_ends[0]))
         self._passes = passes
         curves = []
         for k, loop, gain in known:

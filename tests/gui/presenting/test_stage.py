@@ -603,8 +603,9 @@ def seen(stage, qtbot, *waveforms):
 
 def test_of_long_motions_the_part_is_shown_in_which_each_is_seen(stage, qtbot):
     tone = ss.waveforms.Tone(frequency_hz=60.0, duration_s=0.2)
-    chirp = ss.waveforms.Chirp(duration_s=1.0)
-    cells, reached = seen(stage, qtbot, tone, ss.waveforms.Tap(), chirp)
+    growing = np.linspace(0.2, 1.0, 1300) * np.sin(np.arange(1300))
+    long = ss.waveforms.Recording(samples=growing)
+    cells, reached = seen(stage, qtbot, tone, ss.waveforms.Tap(), long)
     assert np.all(reached > 0.1)
     assert not any("this part" in cell.value_text(None) for cell in cells)
     words = stage.strip._words[2]
