@@ -169,6 +169,11 @@ def test_of_several_motions_the_part_is_found_in_which_most_are_seen():
     assert shown_part([both], 0.1)[0] == pytest.approx(0.68, abs=0.03)
     after_s, away_s = shown_part([early, both], 0.1)
     assert (after_s, away_s) == (pytest.approx(0.0, abs=0.01), [0.0, 0.0])
+    # What is short is seen from its beginning, though the long one gets louder after that.
+    chirp = ss.track(7, ss.waveforms.Chirp(duration_s=1.0))
+    design = ss.Design(limb="synthetic-1", inputs=(chirp,))
+    louder = loop_of(design, moving(design)).part(0.0, 1.0)
+    assert shown_part([louder], 0.1)[0] > shown_part([early, louder], 0.1)[0] == 0.0
     # No part holds all: it is told where the others are.
     after_s, away_s = shown_part([early, late, both], 0.3)
     assert 0.5 < after_s <= 0.7
