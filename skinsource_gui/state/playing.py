@@ -798,7 +798,9 @@ class PlaybackPace(QObject):
         running = _USUAL if now is None or now.silent is None else now.silent.slow_motion
         pace = self.on_stage() or view.slow_motion or running
         slower = [each for each in PACES if each > pace + 1e-9] or PACES[-1:]
-        faster = [each for each in PACES if each < pace - 1e-9] or PACES[:1]
+        # On the stage, real time stands for its own speed.
+        paces = PACES[bool(self.on_stage()) :]
+        faster = [each for each in paces if each < pace - 1e-9] or [pace]
         slow_motion = slower[0] if int(steps) > 0 else faster[-1]
         self._document.apply(edits.play_slower(design, view, slow_motion))
 

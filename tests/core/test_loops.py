@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.engine.loops import animation_of, common_turns, loop_of
+from skinsource.engine.loops import animation_of, common_turns, loop_of, shown_part
 
 HZ = 130.0
 
@@ -141,14 +141,42 @@ def test_of_a_motion_the_part_with_the_most_energy_is_found():
     late = ss.track(12, ss.waveforms.Tap(), onset_s=0.6, amplitude=5.0)
     design = ss.Design(limb="synthetic-1", inputs=(early, late))
     loop = loop_of(design, moving(design))
-    after_s = loop.loudest_after_s(0.05)
+    after_s, away_s = shown_part([loop], 0.05)
     part = loop.part(after_s, 0.05)
-    assert (part.duration_s, part.largest) == (0.05, loop.largest)
+    assert (part.duration_s, part.largest, away_s) == (0.05, loop.largest, [0.0])
     assert after_s == pytest.approx(0.6, abs=0.02)
     np.testing.assert_allclose(
         part.values(0.5), loop.values((after_s + 0.025) / loop.duration_s), atol=1e-9
     )
     # It stays within the motion.
-    assert loop.loudest_after_s(0.999 * loop.duration_s) <= 0.001 * loop.duration_s + 1e-9
+    assert shown_part([loop], 0.999 * loop.duration_s)[0] <= 0.001 * loop.duration_s + 1e-9
     steady = loop_of(tones(0.3), moving(tones(0.3)))
     assert steady.part(after_s, 0.1) is steady
+
+
+def test_of_several_motions_the_part_is_found_in_which_most_are_seen():
+    def loop(*onsets_s):
+        # The last tap is the strongest.
+        taps = [
+            ss.track(7, ss.waveforms.Tap(), onset_s=each, amplitude=k)
+            for k, each in enumerate(onsets_s, 1)
+        ]
+        design = ss.Design(limb="synthetic-1", inputs=tuple(taps))
+        whole = loop_of(design, moving(design))
+        return whole.part(-onsets_s[0], 1.0)
+
+    early, late, both = loop(0.0), loop(0.8), loop(0.0, 0.7)
+    assert shown_part([both], 0.1)[0] == pytest.approx(0.68, abs=0.03)
+    after_s, away_s = shown_part([early, both], 0.1)
+    assert (after_s, away_s) == (pytest.approx(0.0, abs=0.01), [0.0, 0.0])
+    # What is short is seen from its beginning, though the long one gets louder after that.
+    chirp = ss.track(7, ss.waveforms.Chirp(duration_s=1.0))
+    design = ss.Design(limb="synthetic-1", inputs=(chirp,))
+    louder = loop_of(design, moving(design)).part(0.0, 1.0)
+    assert shown_part([louder], 0.1)[0] > shown_part([early, louder], 0.1)[0] == 0.0
+    # No part holds all: it is told where the others are.
+    after_s, away_s = shown_part([early, late, both], 0.3)
+    assert 0.5 < after_s <= 0.7
+    assert away_s == [pytest.approx(-after_s, abs=0.02), 0.0, 0.0]
+    silence = loop_of(ss.Design(limb="synthetic-1"), moving(ss.Design(limb="synthetic-1")))
+    assert shown_part([early, silence.part(0.0, 1.0)], 0.1)[1] == [0.0, 0.0]

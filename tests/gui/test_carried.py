@@ -100,6 +100,19 @@ def test_each_limb_of_a_comparison_is_named_with_what_there_is_to_note_of_it(win
     assert "Limb: Synthetic 1 (175 mm);" in window.pictures.picture_of("analysis/windowed").caption
 
 
+def test_a_picture_of_maps_in_motion_says_at_which_instant_it_is(window, tmp_path, settle):
+    moving = CompareSettings(of="axes", shown="motion")
+    window.document.look(with_settings(window.document.view, "compare", moving))
+    window.docks["compare"].bring_forward()
+    settle()
+    # Tests move it by themselves.
+    panel = window.panel("compare")
+    panel.clock.held, panel.moving.turns = True, 0.25
+    panel.move_on(0.0)
+    for name in ("compare", ALL_VISIBLE):
+        assert panel.moving.clock_text in drawn(window, name, tmp_path / "a.svg")
+
+
 def test_snapshots_that_do_not_keep_a_condition_are_named_with_it(window, settle):
     window.do("store_snapshot_1")
     window.document.edit("Softer", DESIGN.with_input(0, amplitude=1.0))

@@ -24,6 +24,8 @@ _STRONG = 0.1
 # Outputs are louder that reach this share of the largest acceleration; a motion that passes ends
 # where no more than this share of them moves by more than this share of their own.
 _REST = 0.1
+# Parts are nearly as loud whose RMS differ by less than this share of the loudest one.
+_NEARLY = 0.05
 # It begins so long before the stimulus: the filter of the measurement rings before it.
 _BEFORE_S = 0.005
 _POINTS_PER_PERIOD = 48
@@ -88,8 +90,7 @@ class Loop:
         """
         rows = np.array(outputs, dtype=int) - 1
         if self.phasors is None:
-            rate_hz, held = self.moving.sample_rate_hz, self.moving.signals.shape[-1]
-            times_s = (self.moving.first + np.arange(held)) / rate_hz - self.begin_s
+            times_s = self.times_s[:-1]
             first, end = np.searchsorted(times_s, (0.0, length_s))
             signals = self.moving.signals[rows]
             times_s, vectors = finer(times_s, signals, int(first), int(end))
@@ -110,20 +111,43 @@ class Loop:
         magnitude = np.linalg.norm(np.abs(scipy.fft.rfft(signals)), axis=1) / rate_hz
         return scipy.fft.rfftfreq(signals.shape[-1], 1.0 / rate_hz), decibels(magnitude)
 
-    def loudest_after_s(self, part_s: float) -> float:
-        """Return after which time the part of that length with the most energy begins."""
-        rate_hz = self.moving.sample_rate_hz
-        sums = np.cumsum(np.square(self.moving.signals).sum(axis=(0, 1)))
-        n_part = min(round(part_s * rate_hz), sums.size)
-        energy = sums[n_part - 1 :] - np.pad(sums[:-n_part], (1, 0))
-        begin_s = (self.moving.first + int(np.argmax(energy))) / rate_hz
-        return min(max(begin_s - self.begin_s, 0.0), self.duration_s - part_s)
+    @property
+    def times_s(self) -> Floats:
+        """When samples that are held begin, and the last one ends, since the beginning."""
+        samples = self.moving.first + np.arange(self.moving.signals.shape[-1] + 1)
+        return samples / self.moving.sample_rate_hz - self.begin_s
+
+    def rms_of_parts(self, after_s: Floats, part_s: float) -> Floats:
+        """Return the RMS of all outputs together, up to a factor, in parts that begin then."""
+        sums = np.pad(np.cumsum(np.square(self.moving.signals).sum(axis=(0, 1))), (1, 0))
+        before, after = (np.interp(at, self.times_s, sums) for at in (after_s, after_s + part_s))
+        return np.sqrt(np.maximum(after - before, 0.0))
 
     def part(self, after_s: float, part_s: float) -> "Loop":
         """Return a part of a motion that passes; of a steady tone all of it."""
         if self.phasors is not None:
             return self
         return replace(self, begin_s=self.begin_s + after_s, duration_s=part_s)
+
+
+def shown_part(loops: Sequence[Loop], part_s: float) -> tuple[float, list[float]]:
+    """Return when the part begins, after the beginning, in which most of some motions are seen.
+
+    It is the loudest part of one motion, and of several the first of those parts that are nearly
+    as loud on average, so that what is short is seen from its beginning.  All of them pass, and
+    last equally long.  With it come the times from there to the loudest part of each, which are 0
+    where it is seen.
+    """
+    longest = max(loops, key=lambda loop: loop.moving.signals.shape[-1])
+    starts_s = np.clip(longest.times_s, 0.0, longest.duration_s - part_s)
+    levels = np.stack([loop.rms_of_parts(starts_s, part_s) for loop in loops])
+    highest = levels.max(axis=1, keepdims=True)
+    seen = levels >= _REST * highest
+    shares = levels / np.maximum(highest, np.finfo(float).tiny)
+    score = seen.sum(axis=0) + shares.mean(axis=0)
+    best = int(np.argmax(score >= score.max() - (_NEARLY if len(loops) > 1 else 0.0)))
+    away_s = np.where(seen[:, best], 0.0, starts_s[levels.argmax(axis=1)] - starts_s[best])
+    return float(starts_s[best]), away_s.tolist()
 
 
 def loop_of(design: Design, moving: Moving, *, passes: bool = False) -> Loop:

@@ -55,13 +55,7 @@ class MapsFilm:
         # The film may be drawn while its preview is.
         moving = copy(self.moving)
         moving.turns = turns
-        common, closes = moving.common_turns
-        common_s = common * moving.longest_s
-        of = f" of {1e3 * common_s:.1f}" if closes else ""
-        passes = any(loop.phasors is None for loop, _ in filter(None, moving.loops))
-        period = " of one period" if of and common == 1 and not passes else ""
-        about = f"{1e3 * (moving.ran_s % common_s):.1f}{of} ms{period}"
-        content = replace(self.content, cells=moving.cells(), about=about)
+        content = replace(self.content, cells=moving.cells(), about=moving.clock_text)
 
         def draw(painter: QtGui.QPainter, width: int, height: int, theme: Theme) -> None:
             room, font = QRectF(0, 0, width, height), tabular(painter.font())

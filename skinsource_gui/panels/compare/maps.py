@@ -85,6 +85,7 @@ class MapsPanel(Panel):
         self.moves, moving = moves and kind.moves, self.moving
         before, self.kind = self.kind, kind
         moving.axes, moving.chosen = view.axes, view.slow_motion
+        moving.delay_removed = view.delay_removed
         moving.matched = display_gain_text(design, view)
         if kind is not before:
             # The engine sends the results for the new kind.

@@ -17,8 +17,10 @@ from skinsource.engine.loops import (
     loop_of,
     moving_axis,
     moving_name,
+    shown_part,
 )
 from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.compare.content import Cell, Names, along
 from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
 from skinsource_gui.plots.ranges import SteadyRange
@@ -50,16 +52,17 @@ class MovingMaps:
     Attributes
     ----------
     loops
-        What moves, with the factor with which it is shown; None where nothing is known.
+        What moves, with the factor with which it is shown; None where nothing is known.  What
+        passes begins and ends together.
     turns
         How often the longest loop was gone through, with the part of it that is shown.
     slow_motion
         How many times slower than it happens all of them are shown.
     passes
         Whether a tone is shown from its beginning to its end, not as if it had none.
-    axes, chosen, matched
-        Axes and slow motion of the view, which is followed where it is above 1, and how much louder
-        the design is shown.
+    axes, chosen, delay_removed, matched
+        Axes and slow motion of the view, which is followed where it is above 1, whether its times
+        are without the pre-trigger delay, and how much louder the design is shown.
     unit
         Unit of what moves, along which axis it does, and whether it is matched.
     pictures_per_s
@@ -71,6 +74,7 @@ class MovingMaps:
         self.turns, self.passes = 0.0, False
         self.slow_motion, self.pictures_per_s = 1.0, _PICTURES_PER_S
         self.axes, self.chosen, self.matched, self.unit = "z", 0.0, "", "m/s²"
+        self.delay_removed = True
         self._cells: tuple[Cell, ...] = ()
         self._compared: Sequence[Compared] = ()
         self._range = SteadyRange()
@@ -87,18 +91,41 @@ class MovingMaps:
         As many turns are seen within half a minute.
         """
         most = max(int(MOST_S / (self.longest_s * self.slow_motion)), 1)
-        return common_turns([self.length_s(known[0]) for known in self.loops if known], most)
+        return common_turns([known[0].duration_s for known in self.loops if known], most)
 
     @property
     def repeats(self) -> bool:
         """Whether all is as at first after the longest loop."""
-        times = [self.longest_s / self.length_s(known[0]) for known in self.loops if known]
+        times = [self.longest_s / known[0].duration_s for known in self.loops if known]
         return all(isclose(each, round(each), abs_tol=1e-6) for each in times)
 
     @property
     def longest_s(self) -> float:
         """Duration of the longest loop, s; 0: nothing moves."""
-        return max((self.length_s(known[0]) for known in self.loops if known), default=0.0)
+        return max((known[0].duration_s for known in self.loops if known), default=0.0)
+
+    @property
+    def begin_s(self) -> float:
+        """The time of Traces at which loops begin; 0 of steady tones, which have no beginning."""
+        return min(map(self._begin_s, self.passing), default=0.0)
+
+    @property
+    def clock_text(self) -> str:
+        """When it is, and of which time."""
+        common, closes = self.common_turns
+        common_s = common * self.longest_s
+        now_s, of = self.begin_s + self.ran_s % common_s, " ms"
+        if self.passing:
+            of = f" of {self.span_text}"
+        elif closes:
+            of = f" of {1e3 * common_s:.1f} ms{' of one period' * (common == 1)}"
+        return minus(f"{1e3 * now_s:.1f}") + of
+
+    @property
+    def span_text(self) -> str:
+        """From when to when the longest loop is."""
+        end_s = self.begin_s + self.longest_s
+        return minus(f"{round(1e3 * self.begin_s)} to {round(1e3 * end_s)} ms")
 
     def restart(self) -> None:
         """Begin again, and decide the next scale by its data alone."""
@@ -111,6 +138,8 @@ class MovingMaps:
         """Take over designs and how they are called; ``held``: ends of the scale that stays."""
         self._compared = compared
         self.loops = [_loop(side, self.axes, passes=self.passes) for side in compared]
+        if self.passing:
+            self._pass_together(compared)
         loops = [known for known in self.loops if known is not None]
         self.slow_motion = max((loop.slow_motion for loop, _ in loops), default=1.0)
         followed, self.pictures_per_s = self.slow_motion, _PICTURES_PER_S
@@ -123,10 +152,11 @@ class MovingMaps:
                 part_s = min(self.longest_s, _FASTER * _CLIPS_S / followed)
                 self.slow_motion = min(followed, _CLIPS_S / part_s)
                 self.pictures_per_s *= max(followed / self.slow_motion / _FEWER, 1.0)
-        long = [loop for loop, _ in loops if loop.phasors is None and loop.duration_s > part_s]
-        if long:
-            after_s = max(long, key=lambda loop: loop.largest).loudest_after_s(part_s)
+        part, away_s = "", [0.0] * len(loops)
+        if self.passing and self.longest_s > part_s:
+            after_s, away_s = shown_part([loop for loop, _ in loops], part_s)
             self.loops = [pair and (pair[0].part(after_s, part_s), pair[1]) for pair in self.loops]
+            part = f"loudest {rounded(1e3 * part_s)} ms" if len(loops) == 1 else self.span_text
         largest = max((loop.largest * gain for loop, gain in loops), default=0.0)
         end = _SHARE_OF_LARGEST * largest
         signed = all(loop.signed for loop, _ in loops)
@@ -140,7 +170,6 @@ class MovingMaps:
         matched = "matched" if any(side.gain != 1.0 for side in compared) else self.matched
         self.unit = ", ".join(filter(None, (f"m/s² {direction}" if axis else "m/s²", matched)))
         slow = f"slow motion 1/{rounded(self.slow_motion)}"
-        part = f"loudest {rounded(1e3 * part_s)} ms" if long else ""
         slow = ", ".join(filter(None, (slow, part, matched)))
         scale = ColourScale(
             range_db=held or self._range.follow(-end if signed else 0.0, end, "amplitude"),
@@ -151,9 +180,10 @@ class MovingMaps:
             reached_db=(-largest if signed else 0.0, largest),
             unit="m/s²",
         )
+        away = iter(away_s)
         self._cells = tuple(
-            self._cell(k, side, name, scale)
-            for k, (side, name) in enumerate(zip(compared, names, strict=True))
+            self._cell(known, side, name, scale, next(away) if known else 0.0)
+            for known, side, name in zip(self.loops, compared, names, strict=True)
         )
 
     def advance(self, seconds: float) -> None:
@@ -173,18 +203,39 @@ class MovingMaps:
         if known is None:
             return None
         loop, gain = known
-        # Motions that pass begin together and go on until the longest loop is over.
-        return gain * loop.values(self.ran_s % self.length_s(loop) / loop.duration_s)
+        return gain * loop.values(self.ran_s / loop.duration_s % 1.0)
 
-    def length_s(self, loop: Loop) -> float:
-        """Return after which time of the skin a loop begins again."""
-        if loop.phasors is not None:
-            return loop.duration_s
-        passing = [known[0] for known in self.loops if known and known[0].phasors is None]
-        return max(other.duration_s for other in passing)
+    @property
+    def passing(self) -> list[Loop]:
+        """What passes; silence goes with anything."""
+        loops = [known[0] for known in self.loops if known]
+        return [loop for loop in loops if loop.phasors is None and loop.largest]
 
-    def _cell(self, k: int, side: Compared, names: Names, scale: ColourScale) -> Cell:
-        design, known = side.snapshot.design, self.loops[k]
+    def _begin_s(self, loop: Loop) -> float:
+        return loop.begin_s - self.delay_removed * loop.moving.delay_s
+
+    def _pass_together(self, compared: Sequence[Compared]) -> None:
+        """Have all loops begin with the first one that sounds, and end with the last."""
+        if len(self.passing) < sum(known is not None for known in self.loops):
+            self.loops = [_loop(side, self.axes, passes=True) for side in compared]
+        times_s = [(self._begin_s(loop), loop.duration_s) for loop in self.passing]
+        begin_s = min(time_s for time_s, _ in times_s)
+        lasts_s = max(time_s + loop_s for time_s, loop_s in times_s) - begin_s
+        self.loops = [
+            known and (known[0].part(begin_s - self._begin_s(known[0]), lasts_s), known[1])
+            for known in self.loops
+        ]
+
+    def _cell(
+        self,
+        known: tuple[Loop, float] | None,
+        side: Compared,
+        names: Names,
+        scale: ColourScale,
+        away_s: float,
+    ) -> Cell:
+        """Return the map of a side, whose loudest part lies so far away from what is shown."""
+        design = side.snapshot.design
         cell = Cell(headings=names, limb=design.limb, text=side.problem, stale=side.is_stale)
         if known is None or side.values is None:
             return cell
@@ -192,6 +243,9 @@ class MovingMaps:
         value, matched = f"{rounded(loop.largest * gain)} m/s²", gain_text(gain)
         whole = f"up to {value}{f' after matching, {matched}' if matched else ''}"
         short = (f"{value}, matched {matched}", f"matched {matched}") if matched else (value,)
+        if away_s:
+            outside = f"moves {'before' if away_s < 0.0 else 'after'} this part"
+            whole, short = f"{whole}, {outside}", (f"{value}, {outside}", outside)
         return replace(
             cell,
             small=small_map_of(side.values),

@@ -283,7 +283,10 @@ class ComparePanel(MapsPanel):
         with on_paper():
             painter.setFont(tabular(self.font()))
             room = QRectF(0, 0, width / scale, height / scale)
-            paint_page(painter, self.maps.content, room, theme)
+            content = self.maps.content
+            if self.moves and self.moving.longest_s:
+                content = replace(content, about=self.moving.clock_text)
+            paint_page(painter, content, room, theme)
         painter.restore()
 
     def _show_cards(self) -> None:

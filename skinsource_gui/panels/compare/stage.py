@@ -51,7 +51,7 @@ from skinsource.studies import scenes
 from skinsource.studies.checking import bands_shown, proportion, strengths_of
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import DRAG_BEGINS_PX, NumberField
-from skinsource_gui.fields.units import axis_unit, minus, output_text, parse_number
+from skinsource_gui.fields.units import minus, output_text, parse_number
 from skinsource_gui.panels.compare.content import (
     ALL_AXES,
     KINDS,
@@ -149,14 +149,13 @@ class Strip(Figure):
         ground = QtGui.QColor(theme.base)
         self._picture.paint(painter, room, key, self._paint, ground)
         if self.marked is not None and self.curves:
-            area = self._area()
-            x = area.left() + area.width() * self.marked / self.ends[0][1]
+            area, (low, high) = self._area(), self.ends[0]
+            x = area.left() + area.width() * (self.marked - low) / (high - low)
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
-            unit, factor = axis_unit(self.ends[0][1])
             # Left of what stands in the corner, where names leave room.
             corner = self._words[0] and f"{_BETWEEN}{self._words[0]}"
-            text = f"{self.marked * factor:.1f} {unit}{corner}"
+            text = minus(f"{1e3 * self.marked:.1f} ms") + corner
             left = area.right() - painter.fontMetrics().horizontalAdvance(text)
             painter.drawText(
                 QPointF(left, 0.9 * painter.fontMetrics().height()), text.removesuffix(corner)
@@ -232,7 +231,7 @@ class Strip(Figure):
         longest = max(len(curve.names) for curve in self.curves)
         for k in range(longest):
             labels = [curve.names[min(k, len(curve.names) - 1)] for curve in self.curves]
-            text = _BETWEEN.join((*labels, "000.0 ms", self._words[0]))
+            text = _BETWEEN.join((*labels, "0000.0 ms", self._words[0]))
             if self._has_rows:
                 text = 3 * max(labels, key=metrics.horizontalAdvance)
             if metrics.horizontalAdvance(text) <= room_px:
@@ -730,14 +729,12 @@ class StagePanel(MapsPanel):
         limb = self.compared[0].snapshot.design.limb
         where = "" if alone else output_text(outputs[0], limb)
         spectra = stage_settings(self.view).plot == "spectra"
-        end_s = max(
-            _PERIODS[loop.phasors is None] * self.moving.length_s(loop) for _, loop, _ in known
-        )
         # What passes is shown to its end, whatever scales stay.
-        passes = any(loop.phasors is None for _, loop, _ in known)
+        begin_s, passes = self.moving.begin_s, bool(self.moving.passing)
+        end_s = _PERIODS[passes] * self.moving.longest_s
         shown_s = end_s
         if self._held_ends is not None and not (passes or self._passes):
-            end_s = self._held_ends[0][1]
+            end_s = float(np.ptp(self._held_ends[0]))
         self._passes = passes
         curves = []
         for k, loop, gain in known:
@@ -752,7 +749,8 @@ class StagePanel(MapsPanel):
             for row, number in enumerate(kept if x.size else ()):
                 called = _names(number, limb) if alone else names[k]
                 called = tuple(f"{each}{' noise' * (number in noisy)}" for each in called)
-                curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
+                rank, at = row if alone else k, x + begin_s * (not spectra)
+                curves.append(Curve(names=called, rank=rank, x=at, y=values[row]))
         self.strip.in_rows = self.moving.passes and bool(curves)
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
         self._sunk = False
@@ -781,21 +779,24 @@ class StagePanel(MapsPanel):
             self.strip.ticks = readable_ticks(low_hz, 0.99 * high_hz, 7.0, 7.0)
         else:
             self.strip.ticks = ()
-            unit, factor = axis_unit(end_s)
-            ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
+            across = begin_s, begin_s + end_s
+            ends = across, self._held_ends[1] if self._held_ends else (-top, top)
             self._held_ends, self._sunk = (
                 self._held_ends and ends,
                 top < 10 ** (-_SUNK_DB / 20) * ends[1][1],
             )
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
             if self.strip.in_rows:
-                curves = _in_rows(self.compared[0], known[0][1], curves, [k - 1 for k in kept])
-                ends, top = ((0.0, end_s), (-0.5, 0.5)), 0.0
+                rows = [k - 1 for k in kept]
+                curves = _in_rows(self.compared[0], known[0][1], curves, rows, begin_s)
+                ends, top = (across, (-0.5, 0.5)), 0.0
                 # The loudest part of a long motion begins after that.
-                marks = any(0.0 <= curve.arrival <= end_s for curve in curves if curve.arrival)
+                arrivals_s = [curve.arrival for curve in curves if curve.arrival is not None]
+                marks = any(across[0] <= each <= across[1] for each in arrivals_s)
                 arrives = ", marked where it arrives" * marks
                 high = f"each relative to its peak; + group delay{arrives}"
-            words = (where, high, f"window {end_s * factor:.3g} {unit}")
+            span = self.moving.span_text if passes else f"window {1e3 * end_s:.4g} ms"
+            words = (where, high, span)
         self._cut = top > ends[1][1] or (not spectra and shown_s > end_s)
         self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()
@@ -806,8 +807,8 @@ class StagePanel(MapsPanel):
             self.strip.show_cursor(None)
             return
         # It goes back by whole periods, so that curves and maps agree where it stands.
-        end_s = self.strip.ends[0][1]
-        lap_s = longest_s * max(round(end_s / longest_s), 1)
+        begin_s, end_s = self.strip.ends[0]
+        lap_s = longest_s * max(round((end_s - begin_s) / longest_s), 1)
         at_s = self.moving.ran_s % lap_s
         since_s = 0.0 if self.moving.repeats else self.moving.ran_s - at_s
         if not isclose(since_s, self._since_s, abs_tol=1e-9):
@@ -815,7 +816,7 @@ class StagePanel(MapsPanel):
             self._since_s = since_s
             self._show_traces()
         else:
-            self.strip.show_cursor(at_s)
+            self.strip.show_cursor(begin_s + at_s)
 
     def _turn(self, value: float, gesture: int | None) -> None:
         if self.design is not None and self._track is not None:
@@ -833,7 +834,9 @@ def _compared(design: Design, view: View, compare: CompareSettings) -> Kind:
     return next((kind for kind in kinds if kind.is_several(compare, design, view)), _ALONE)
 
 
-def _in_rows(side: Compared, loop: Loop, curves: list[Curve], rows: list[int]) -> list[Curve]:
+def _in_rows(
+    side: Compared, loop: Loop, curves: list[Curve], rows: list[int], begin_s: float
+) -> list[Curve]:
     """Return traces in rows, with when they arrive: after the first, which has the onset."""
     moving, drawn, noisy = loop.moving, list[Curve](), np.array(noisy_outputs(side), dtype=int) - 1
     signals = moving.signals[:, 0] if loop.signed else np.linalg.norm(moving.signals, axis=1)
@@ -848,7 +851,8 @@ def _in_rows(side: Compared, loop: Loop, curves: list[Curve], rows: list[int]) -
         if np.isfinite(delay_s):
             told = minus(f" {round(1e3 * delay_s):+d} ms")
             names = (*(f"{name}{told}" for name in curve.names), curve.names[-1])
-            curve = replace(curve, names=names, arrival=onset_s + delay_s - loop.begin_s)
+            arrives_s = begin_s + onset_s + delay_s - loop.begin_s
+            curve = replace(curve, names=names, arrival=arrives_s)
         drawn.append(curve)
     return drawn
 

@@ -20,6 +20,7 @@ from skinsource.design.comparing import difference_db, gain_text
 from skinsource.design.design import Snapshot
 from skinsource.design.design_file import save_design
 from skinsource.design.panel_settings import StageSettings, stage_settings, with_settings
+from skinsource.engine.loops import loop_of
 from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
@@ -127,11 +128,11 @@ def test_motions_that_pass_go_on_until_the_longest_is_over(stage, qtbot):
     side_by_side(stage, qtbot, 4, of="limbs")
     moving = stage.moving
     moving.turns = 0.99
-    k = int(np.argmin([loop.duration_s for loop, _ in moving.loops]))
-    loop, _ = moving.loops[k]
-    assert loop.duration_s < 0.99 * moving.longest_s
-    now = loop.moving.acceleration(loop.begin_s + 0.99 * moving.longest_s)
-    np.testing.assert_allclose(moving.values(k), now[:, 0], atol=1e-12)
+    for k, side in enumerate(stage.compared):
+        whole = side.values["moving_z"]
+        assert loop_of(side.snapshot.design, whole).duration_s <= moving.longest_s
+        now = whole.acceleration(moving.begin_s + whole.delay_s + 0.99 * moving.longest_s)
+        np.testing.assert_allclose(moving.values(k), now[:, 0], atol=1e-12)
 
 
 def test_maps_and_traces_move_along_the_axis_of_the_view_and_say_it(stage, qtbot):
@@ -427,10 +428,12 @@ def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
     qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
     loop = stage.moving.loops[0][0]
     assert loop.phasors is None
-    assert stage.strip.ends[0][1] == pytest.approx(loop.duration_s)
+    begin_s = loop.begin_s - loop.moving.delay_s
+    ends_s = begin_s, begin_s + loop.duration_s
+    assert stage.strip.ends[0] == pytest.approx(ends_s)
     tick(stage)
     assert stage.strip.marked is not None
-    assert stage.strip._words[2] == f"window {1e3 * loop.duration_s:.3g} ms"
+    assert stage.strip._words[2] == f"{1e3 * ends_s[0]:.0f} to {1e3 * ends_s[1]:.0f} ms"
 
 
 @pytest.mark.parametrize("moves", [True, False])
@@ -558,6 +561,11 @@ def test_slow_motion_is_chosen_on_the_stage_and_said_there(stage, qtbot):
     side_by_side(stage, qtbot, 4, of="frequencies")
     window.do("play_slower")
     qtbot.waitUntil(lambda: stage.moving.slow_motion == 500.0)
+    # The fastest is half as fast as it happens: real time is no motion that anybody sees.
+    window.document.look(replace(window.document.view, slow_motion=2.0))
+    qtbot.waitUntil(lambda: stage.moving.slow_motion == 2.0)
+    window.do("play_faster")
+    assert window.document.view.slow_motion == 2.0
 
 
 def test_of_a_long_motion_the_loudest_part_moves_in_half_a_minute(stage, qtbot):
@@ -568,18 +576,94 @@ def test_of_a_long_motion_the_loudest_part_moves_in_half_a_minute(stage, qtbot):
     window.document.edit("Noise", noisy)
     qtbot.waitUntil(lambda: stage.moving.loops[0] and stage.moving.loops[0][0].phasors is None)
     ((loop, _),) = stage.moving.loops
-    assert stage.moving.length_s(loop) * stage.moving.slow_motion == pytest.approx(MOST_S)
+    assert loop.duration_s * stage.moving.slow_motion == pytest.approx(MOST_S)
     assert loop.begin_s < 1.25 + loop.moving.delay_s < loop.begin_s + loop.duration_s
     assert "loudest" in stage.maps.content.common_scale.text_below
-    assert stage.strip.ends[0][1] == pytest.approx(loop.duration_s)
+    begin_s = loop.begin_s - loop.moving.delay_s
+    assert stage.strip.ends[0] == pytest.approx((begin_s, begin_s + loop.duration_s))
     shares = [stage.moving.turns]
     tick(stage, MOST_S / 4)
     assert stage.moving.turns - shares[0] == pytest.approx(0.25)
-    # Of designs beside one another it is the same part, where a shorter one may have ended.
-    tap = replace(noisy, inputs=(ss.track(7, ss.waveforms.Tap()),))
-    window.document.look(replace(window.document.view, snapshots=stored((noisy, tap))))
-    side_by_side(stage, qtbot, 2, of="snapshots")
-    qtbot.waitUntil(lambda: [each.names[0] for each in stage.strip.curves] == ["Snapshot 1"])
+
+
+def seen(stage, qtbot, *waveforms):
+    """The values that maps of several designs reach in the part that is shown."""
+    document = stage.window().document
+    designs = [replace(document.design, inputs=(ss.track(8, each),)) for each in waveforms]
+    document.look(replace(document.view, snapshots=stored(designs)))
+    document.edit("", designs[0])
+    cells = side_by_side(stage, qtbot, len(designs), of="snapshots")
+    reached = np.zeros(len(designs))
+    for share in np.linspace(0.0, 1.0, 50, endpoint=False):
+        stage.moving.turns = share
+        now = [np.abs(stage.moving.values(k)).max() for k in range(len(designs))]
+        reached = np.maximum(reached, now)
+    return cells, reached / [loop.largest for loop, _ in stage.moving.loops]
+
+
+def test_of_long_motions_the_part_is_shown_in_which_each_is_seen(stage, qtbot):
+    tone = ss.waveforms.Tone(frequency_hz=60.0, duration_s=0.2)
+    growing = np.linspace(0.2, 1.0, 1300) * np.sin(np.arange(1300))
+    long = ss.waveforms.Recording(samples=growing)
+    cells, reached = seen(stage, qtbot, tone, ss.waveforms.Tap(), long)
+    assert np.all(reached > 0.1)
+    assert not any("this part" in cell.value_text(None) for cell in cells)
+    words = stage.strip._words[2]
+    assert words in stage.maps.content.common_scale.text_below
+    assert "loudest" not in stage.maps.content.common_scale.text_below
+
+
+def test_a_map_that_moves_outside_of_the_part_says_it(stage, qtbot):
+    late = ss.waveforms.Recording(samples=np.append(np.zeros(1300), np.ones(30)))
+    cells, reached = seen(stage, qtbot, ss.waveforms.Tap(), late)
+    k = int(np.argmin(reached))
+    assert reached[k] < 0.1 < reached[1 - k]
+    said = cells[k].value_texts(None)
+    assert all(f"moves {('before', 'after')[k]} this part" in text for text in said)
+    assert "this part" not in cells[1 - k].value_text(None)
+
+
+def test_maps_beside_each_other_have_one_clock_also_where_some_are_steady(stage, qtbot):
+    document = stage.window().document
+    tones = [ss.waveforms.Tone(frequency_hz=hz, duration_s=0.2) for hz in (100.0, 50.0, 250.0)]
+    designs = [
+        replace(document.design, inputs=(ss.track(7, each), ss.track(10, tones[0])))
+        for each in tones
+    ]
+    document.look(replace(document.view, snapshots=stored(designs)))
+    document.edit("", designs[0])
+    side_by_side(stage, qtbot, 3, of="snapshots")
+    stage.moving.turns = 0.0
+    for k, (loop, _) in enumerate(stage.moving.loops):
+        # Nothing has arrived yet.
+        assert np.abs(stage.moving.values(k)).max() < 0.05 * loop.largest
+    # Silence has no clock of its own.
+    steady = designs[0], replace(designs[0], inputs=())
+    document.look(replace(document.view, snapshots=stored(steady)))
+    qtbot.waitUntil(lambda: len(stage.maps.content.cells) == 2 and not stage.is_stale)
+    assert stage.moving.loops[0][0].duration_s == pytest.approx(0.01)
+
+
+def test_the_clock_of_the_stage_and_of_its_film_is_that_of_the_traces(stage, qtbot):
+    document = stage.window().document
+    tap = replace(document.design, inputs=(ss.track(18, ss.waveforms.Tap(), onset_s=0.1),))
+    early = replace(tap, inputs=(ss.track(18, ss.waveforms.Tap(), onset_s=0.04),))
+    for removed in (True, False):
+        view = replace(document.view, delay_removed=removed, outputs=(29,))
+        document.look(replace(view, snapshots=stored((early, tap))))
+        document.edit("", tap)
+        side_by_side(stage, qtbot, 2, of="snapshots")
+        found = ss.evaluate(tap, "response_time_s", "selected_traces", view=replace(view, axes="z"))
+        trace, curve = found["selected_traces"][0], stage.strip.curves[1]
+        expected_s = found["response_time_s"][np.argmin(trace)]
+        assert curve.x[np.argmin(curve.y)] == pytest.approx(expected_s, abs=1e-3)
+        # There the cursor stands when the map shows it.
+        moving = stage.moving
+        moving.turns = (expected_s - moving.begin_s) / moving.longest_s
+        tick(stage, 0.0)
+        assert stage.strip.marked == pytest.approx(expected_s)
+        assert moving.values(1)[28] == pytest.approx(trace.min(), rel=0.01)
+        assert moving.clock_text.startswith(f"{1e3 * expected_s:.1f} of ")
 
 
 # Length of a clip, chosen speed, how much is shown in which time, s.
@@ -736,7 +820,8 @@ def test_rows_of_traces_show_when_the_vibration_arrives_as_the_sentence_says(sta
     # It moves after that.
     assert np.abs(last.y[last.x < last.arrival]).max() < 0.1 < np.abs(last.y).max()
     area, picture = strip._area(), strip.grab().toImage()
-    x = area.left() + area.width() * last.arrival / strip.ends[0][1]
+    low, high = strip.ends[0]
+    x = area.left() + area.width() * (last.arrival - low) / (high - low)
     assert picture.pixelColor(int(x), round(area.bottom() - 3)).lightness() < 150
 
 
@@ -845,6 +930,7 @@ def test_a_film_of_frequencies_says_what_the_tones_are_and_when_it_is(stage, qtb
     window, drawn = stage.window(), []
     second = ss.track(13, ss.waveforms.Tone(frequency_hz=300.0))
     window.document.edit("", replace(window.document.design, scaling="probe").adding(second))
+    window.document.look(replace(window.document.view, slow_motion=100.0))
     side_by_side(stage, qtbot, 3, of="frequencies", frequencies_hz=(50.0, 400.0))
     film = window.pictures.picture_of(MOVING).visible
     assert "In the maps of 50, 400 Hz all tones have that frequency." in film.caption
@@ -854,7 +940,8 @@ def test_a_film_of_frequencies_says_what_the_tones_are_and_when_it_is(stage, qtb
     maps_film.maps_picture(options=options, seen=film, stop=never)
     assert drawn[0].pixelSize() >= letters_px(1280, 720)
     # Two tones pass, and do not end with a period of the others.
-    assert drawn[1].about == f"{250.0 * film.moving.longest_s:.1f} ms"
+    longest_ms = 1e3 * film.moving.longest_s
+    assert drawn[1].about == f"{longest_ms / 4 - 5.0:.1f} of −5 to {longest_ms - 5.0:.0f} ms"
     window.do("undo")
     qtbot.waitUntil(lambda: stage.moving.longest_s == pytest.approx(0.02))
     film = window.pictures.picture_of(MOVING).visible
