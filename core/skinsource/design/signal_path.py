@@ -361,5 +361,6 @@ def unplayable_text(unplayable: Sequence[UnplayableInput]) -> str:
     if not unplayable:
         return ""
     text, *more = unplayable[0].sentence, *(track.location for track in unplayable[1:])
-    others = f"; nor can {counted(len(more), 'more input')}, at {', '.join(map(str, more))}."
+    places = ", ".join(map(str, more))
+    others = f"; {counted(len(more), 'more input')} cannot be played either, at {places}."
     return f"{text.removesuffix('.')}{others}" if more else text
