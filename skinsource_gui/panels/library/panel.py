@@ -24,7 +24,7 @@ from skinsource_gui.qt.windows import application
 from skinsource_gui.state.panel import Panel
 
 _PLACE = "library"
-_AT = "At the playhead, on the selected track; several tracks are new"
+_AT = "At the playhead, on the selected track, or on several new ones"
 
 
 class LibraryButtons(FoldingRow):
