@@ -18,7 +18,7 @@ from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
 from skinsource_gui.plots.ranges import CachedColumns, Range, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
-from skinsource_gui.qt.layouts import Policy, named, show_tooltip
+from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import (
     UNIT_PX,
     current_theme,
@@ -224,89 +224,6 @@ _Picture = tuple[Floats, QtGui.QPixmap]
 def _size(picture: _Picture) -> int:
     samples, made = picture
     return samples.nbytes + made.width() * made.height() * _BYTES_PER_PIXEL
-
-
-_MARGIN_PX = 4
-# A single sample needs some time around it to look like one.
-_SHORTEST_S = 0.005
-
-
-class WaveformPreview(_Preview):
-    """Samples over time, without an axis.
-
-    The height is 1, or the peak where that is larger.
-    """
-
-    def __init__(self) -> None:
-        super().__init__("waveform_preview", "Waveform")
-        self._samples: Floats | None = None
-        self._sample_rate_hz = self._height = 1.0
-        #: The message in place of a curve, or "".
-        self.message = ""
-        self._colour: int | None = None
-        self._flipped, self._problem = False, ""
-        self._columns = CachedColumns()
-
-    @property
-    def duration_s(self) -> float | None:
-        """Duration of the samples, or None."""
-        return None if self._samples is None else self._samples.size / self._sample_rate_hz
-
-    def show_samples(self, samples: Floats, sample_rate_hz: float) -> None:
-        """Draw ``samples``, (n_times,)."""
-        old = self._samples
-        same = old is samples or (old is not None and np.array_equal(old, samples))
-        self._samples = samples
-        if same and not self.message and self._sample_rate_hz == sample_rate_hz:
-            return
-        self._sample_rate_hz, self.message = sample_rate_hz, ""
-        self._height = max(float(np.abs(samples).max(initial=0.0)), 1.0)
-        show_tooltip(self, "")
-        self.update()
-
-    def show_message(self, message: str) -> None:
-        """Show a message instead of a curve."""
-        self._samples, self.message = None, message
-        self.setToolTip(message)
-        self.update()
-
-    def set_look(self, colour: int, *, flipped: bool = False, problem: str = "") -> None:
-        """Set the colour, by `Input.colour`, and whether a negative amplitude flips the curve.
-
-        With a ``problem``, the curve has the colour of errors.
-        """
-        if (colour, flipped, problem) != (self._colour, self._flipped, self._problem):
-            self._colour, self._flipped, self._problem = colour, flipped, problem
-            self.setAccessibleDescription(problem)
-            self.update()
-
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter = QtGui.QPainter(self)
-        if self.message:
-            painter.setPen(QtGui.QColor(current_theme().dim))
-            # The tooltip has the whole message.
-            right, metrics = Qt.TextElideMode.ElideRight, painter.fontMetrics()
-            text = metrics.elidedText(self.message, right, self.width())
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
-            return
-        if self._samples is None or not self._samples.size:
-            return
-        plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
-        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
-        painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
-        self._paint_curve(painter, plot, self._samples)
-
-    def _paint_curve(self, painter: QtGui.QPainter, plot: QRectF, drawn: Floats) -> None:
-        theme, number = current_theme(), self._colour
-        reach = (-1.0 if self._flipped else 1.0) / self._height
-        length_s = drawn.size / self._sample_rate_hz
-        shown_px = plot.width() * length_s / max(length_s, _SHORTEST_S)
-        area = QRectF(plot.left(), plot.top() - 1, shown_px, plot.height() + 2)
-        colour = QtGui.QColor(theme.error if self._problem else theme.text)
-        if number is not None and not self._problem:
-            colour = theme.input_colour(number)
-        style = ClipStyle(self._sample_rate_hz, colour.rgba(), reach, ratio=dots_in_px(painter))
-        paint_samples(painter, drawn, area, style, self._columns)
 
 
 _HEAD_PX, _STRIP_AXIS_PX = 34, 20

@@ -44,7 +44,6 @@ from skinsource.design.edits.edit import (
 from skinsource.design.edits.effects import values_of
 from skinsource.design.edits.view import change_texts
 from skinsource.design.labels import SCALINGS, scalings_on
-from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.limb import LimbFacts
@@ -70,11 +69,9 @@ from skinsource_gui.fields.inputs import (
     played_hz_text,
     played_length_text,
     played_of,
-    waveforms_of,
 )
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.inspector.effects import EffectChain
-from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import (
     Fold,
     Swatch,
@@ -416,8 +413,8 @@ class ClipHeading(QtWidgets.QWidget):
         self._state.setText(f"last one {state}" if state and of_several else state)
 
 
-# Smallest size with letters of any size, and height of the picture, px.
-_LEAST, _PICTURE_PX = QSize(204, 224), 28
+# Smallest size with letters of any size, px.
+_LEAST = QSize(204, 224)
 
 
 class InspectorPanel(Panel):
@@ -430,18 +427,15 @@ class InspectorPanel(Panel):
 
     title = "Clip"
     name = "inspector"
-    #: What each clip plays, and each track.
-    needs = frozenset({"clip_waveforms", "input_waveforms", "inputs", "sample_rate_hz"})
+    #: What each track plays.
+    needs = frozenset({"input_waveforms", "inputs", "sample_rate_hz"})
     reads_down = True
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._shown: tuple[tuple[int, ...], ...] = ()
-        self._waveforms: dict[int, Floats] | None = None
         # What each track plays before its amplitude, by its id.
         self._played: dict[int, Floats] = {}
-        self._rate_hz = 0.0
-        self._problems: Mapping[int, str] = {}
         self._changes = FieldChanges()
         # The input that was selected last.
         self._last: Input | None = None
@@ -462,9 +456,6 @@ class InspectorPanel(Panel):
         self._mute, self._solo = mute_button(), solo_button()
         self._mute.clicked.connect(lambda: self._change(edits.toggle_mute))
         self._solo.clicked.connect(lambda: self._change(edits.toggle_solo))
-        self._preview = WaveformPreview()
-        self._preview.setFixedHeight(_PICTURE_PX)
-        self.computed = (self._preview,)
         self._texts = tuple(
             FieldCell(name, spec, edited=self._change_texts)
             for name, spec in (("title", _TITLE), ("sentence", _SENTENCE))
@@ -511,7 +502,6 @@ class InspectorPanel(Panel):
             forget_typing(self._editor)
             self._shown = (view.selected_inputs, view.selected_clips)
             self._scroll.verticalScrollBar().setValue(0)
-            self._show_waveform()
         self._show_input(
             track, silent=all(track is not audible for audible in audible_inputs(design.inputs))
         )
@@ -522,30 +512,13 @@ class InspectorPanel(Panel):
         self._fields.start_over()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._waveforms, self._rate_hz = waveforms_of(results), results["sample_rate_hz"]
         self._played = played_of(results)
         self._fields.show_rate(results["sample_rate_hz"])
-        self._show_waveform()
         if self._last is not None:
             self._show_strength(self._last)
 
-    def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
-        self._problems = {input_problem.id: input_problem.problem for input_problem in unplayable}
-        if self._last is not None:
-            self._show_style(self._last)
-
-    def _show_waveform(self) -> None:
-        clip = None if self._last is None else clip_of(self._last, self._view)
-        samples = (self._waveforms or {}).get(-1 if clip is None else clip.id)
-        if samples is not None:
-            self._preview.show_samples(samples, self._rate_hz)
-        else:
-            # A clip of a newer design has results soon.
-            self._preview.show_message("")
-
     def show_problem(self, reason: str) -> None:
-        self._waveforms, self._played = None, {}
-        self._preview.show_message(reason)
+        self._played = {}
 
     def _lay_out(self) -> None:
         fields, sides = self._fields, (UNIT_PX, 0, UNIT_PX, 0)
@@ -559,8 +532,8 @@ class InspectorPanel(Panel):
         self._scroll = scroll = scrolled(inside, "inspector_fields")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._editor = QtWidgets.QWidget()
-        picture = in_row((self._preview, 1), self._draw, margins=0, gap_px=UNIT_PX // 2)
-        top = in_column(self._heading, picture, fields.head, margins=sides, gap_px=UNIT_PX // 4)
+        heading = in_row((self._heading, 1), self._draw, margins=0, gap_px=UNIT_PX // 2)
+        top = in_column(heading, fields.head, margins=sides, gap_px=UNIT_PX // 4)
         margins = (0, UNIT_PX // 4, 0, 0)
         in_column(top, (scroll, 1), of=self._editor, margins=margins, gap_px=UNIT_PX // 4)
         self._empty = page_label("inspector_empty", tone="dim", centred=True)
@@ -591,7 +564,6 @@ class InspectorPanel(Panel):
         self._show_strength(track)
         self._fields.show_input(track, batch, self._view)
         self._chain.show_chain(self._design, self._view, clip, clips)
-        self._show_style(track)
 
     def _show_strength(self, track: Input) -> None:
         design, amplitude, peak = self._design, amplitude_spec(self._design), ""
@@ -615,10 +587,6 @@ class InspectorPanel(Panel):
             track = replace(track, clips=tuple(replace(clip, muted=False) for clip in track.clips))
             whole = peak_before_amplitude(self._design, track)
         return track, whole, heard or whole
-
-    def _show_style(self, track: Input) -> None:
-        problem = self._problems.get(track.id, "")
-        self._preview.set_look(track.colour, flipped=track.amplitude < 0, problem=problem)
 
     def _act(self, name: str, _checked: bool = False) -> None:
         """Do an action with the clips that are edited here: they are selected first."""

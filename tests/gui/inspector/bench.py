@@ -8,7 +8,6 @@ from skinsource import Design, View, track
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.inspector.panel import InspectorPanel
-from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import Fold
 from tests.gui.panel_host import PanelHost, clip_results
 
@@ -33,10 +32,6 @@ class Bench(PanelHost):
 
     def label(self, name):
         return self.panel.findChild(QLabel, name)
-
-    @property
-    def preview(self):
-        return self.panel.findChild(WaveformPreview, "waveform_preview")
 
     def open(self, fold):
         """Unfold a part of the panel."""

@@ -17,12 +17,10 @@ from skinsource.specs.samples import Samples
 from skinsource_gui.fields.editors import FieldCell, TextLine
 from skinsource_gui.fields.inputs import played_hz_text
 from skinsource_gui.fields.text_field import LiveText
-from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import LetterButton
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.shell.focus import tab_stops
 from tests.gui.inspector.bench import Bench, design_of
-from tests.gui.panel_host import clip_results
 
 
 def test_without_a_selected_input_it_says_what_to_do(bench):
@@ -31,7 +29,6 @@ def test_without_a_selected_input_it_says_what_to_do(bench):
     assert "Select an input" in bench.label("inspector_empty").text()
     bench.show(Design(limb="synthetic-1"), selected_inputs=(4,))
     assert bench.label("inspector_empty").text() == how_to_add()
-    assert not bench.preview.isVisible()
 
 
 def test_without_a_selected_input_title_and_sentence_of_the_design_are_edited(bench):
@@ -291,17 +288,14 @@ def test_the_gain_curve_of_a_track_is_typed_where_there_is_one(qtbot):
     assert bench.track.gain_curve == ((0.0, 0.5),)
 
 
-def test_the_heading_says_which_clip_is_edited_and_the_picture_is_its_own(qtbot):
+def test_the_heading_says_which_clip_is_edited_and_typing_is_for_it(qtbot):
     clips = (Clip(id=1, waveform=Tone()), Clip(id=2, waveform=Noise(), onset_s=0.5))
     bench = Bench(qtbot, Design(limb="synthetic-1", inputs=(Input(location=7, clips=clips),)))
     bench.panel.resize(400, 460)
-    bench.panel.show_results(bench.results())
     bench.show(selected_clips=(2,))
     assert bench.label("inspector_heading").text() == "Clip 2 of 2 · Noise"
-    assert bench.preview.duration_s == pytest.approx(0.2)
     bench.type("duration_s", "50")
-    bench.panel.show_results(bench.results())
-    assert bench.preview.duration_s == pytest.approx(0.05)
+    assert [clip.duration_s for clip in bench.track.clips] == [0.2, 0.05]
     bench.show(selected_clips=(1,))
     assert bench.label("inspector_heading").text() == "Clip 1 of 2 · Tone"
 
@@ -360,20 +354,6 @@ def test_mute_and_solo_are_buttons_of_the_track(bench):
     assert [label.split(" input")[0] for label in bench.labels[1::2]] == ["Unmute", "End solo of"]
 
 
-def test_the_preview_shows_the_selected_input_and_its_length(bench):
-    bench.show(selected_inputs=(3,))
-    bench.panel.show_results(bench.results())
-    assert bench.preview.duration_s == pytest.approx(21 / 1300)
-    # Nothing has to be computed anew for another one to be shown.
-    bench.show(selected_inputs=(1,))
-    assert bench.preview.duration_s == pytest.approx(0.2)
-    # A clip of a newer design has no results yet.
-    bench.panel.show_results(clip_results(Design(limb="synthetic-1")))
-    assert bench.preview.duration_s is None
-    bench.panel.show_problem("No limb of that name")
-    assert bench.preview.message == "No limb of that name"
-
-
 def test_a_recording_has_a_button_that_asks_for_its_file(bench):
     actions = []
     bench.panel.action_requested.connect(actions.append)
@@ -397,43 +377,6 @@ def test_tab_leads_through_the_fields_in_reading_order(bench):
         *("low_hz_field", "high_hz_field", "window_field"),
         *("effects_fold", "add_effect", "track_fold"),
     ]
-
-
-@pytest.fixture
-def preview(qtbot):
-    widget = WaveformPreview()
-    qtbot.addWidget(widget)
-    widget.resize(420, 140)
-    widget.set_look(0)
-    widget.show()
-    return widget
-
-
-def test_one_loud_sample_in_a_minute_is_seen(preview):
-    samples = np.zeros(78_000)
-    samples[41_234] = 1.0
-    preview.show_samples(samples, 1300.0)
-    picture = preview.grab().toImage()
-    # Right of the middle, just below the top.
-    drawn = [column for column in range(420) if picture.pixelColor(column, 20).blue() > 150]
-    inked = [column for column in drawn if picture.pixelColor(column, 20).red() < 120]
-    assert inked
-    assert all(215 <= column <= 225 for column in inked)
-
-
-@pytest.mark.parametrize("n_samples", [600, 2600])
-def test_a_tone_whose_samples_miss_its_peak_reaches_it(preview, n_samples):
-    preview.show_samples(np.sin(0.5 * np.pi * np.arange(n_samples) + np.pi / 4), 1300.0)
-    picture = preview.grab().toImage()
-    # Samples alone end 20 px below the top.
-    highest = 140 - 2
-    for x in range(100, 300, 10):
-        inked = [
-            y
-            for y in range(highest // 2)
-            if any(picture.pixelColor(x + k, y).red() < 120 for k in range(5))
-        ]
-        assert min(inked) <= 8
 
 
 LEFT = Qt.MouseButton.LeftButton

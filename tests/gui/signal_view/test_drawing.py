@@ -6,13 +6,14 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, QSize
-from PySide6.QtGui import QFont, QFontMetrics, QFontMetricsF
+from PySide6.QtCore import QPointF, QSize, QSizeF
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QFontMetricsF
 
 from skinsource.signals.resampling import EXTREMES_ERROR, FINER
 from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.legend import LegendLayout, LegendText
 from skinsource_gui.plots.pictures import save_drawing
+from skinsource_gui.plots.preview import ClipPictures, ClipStyle
 from skinsource_gui.plots.ranges import wave_of
 from skinsource_gui.plots.signal_view import copy_of, draw_signals
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX
@@ -292,3 +293,24 @@ def test_curves_whose_wave_is_not_known_are_joined_as_they_are(signals):
     curves = replace(sampled(MISSED, 6500), wave=None)
     signals.show_curves(curves, synthetic=False)
     assert envelope(signals, 0).max() < 0.75
+
+
+def inked_rows(samples, columns):
+    """The rows in which the picture of a clip, 412 x 138, has ink in one of these columns."""
+    style = ClipStyle(1300.0, QColor("black").rgba(), 1.0)
+    picture = ClipPictures().picture(samples, QSizeF(412, 138), style).toImage()
+    return [y for y in range(138) if any(picture.pixelColor(x, y).alpha() > 100 for x in columns)]
+
+
+def test_one_loud_sample_in_a_minute_of_a_clip_is_seen(qapp):
+    samples = np.zeros(78_000)
+    samples[41_234] = 1.0
+    assert min(inked_rows(samples, range(216, 220))) <= 2
+    assert min(inked_rows(samples, range(200, 215))) > 60
+
+
+@pytest.mark.parametrize("n_samples", [600, 2600])
+def test_a_clip_whose_samples_miss_its_peak_is_drawn_up_to_it(qapp, n_samples):
+    tone = np.sin(0.5 * np.pi * np.arange(n_samples) + np.pi / 4)
+    # Samples alone end 20 px below the top.
+    assert all(min(inked_rows(tone, range(x, x + 5))) <= 8 for x in range(100, 300, 10))
