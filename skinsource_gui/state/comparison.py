@@ -135,7 +135,7 @@ class Comparison(QObject):
         other = other_snapshot(document.view.snapshots, document.design)
         hint = "change the design, then X switches"
         if other is not None:
-            hint = f"X shows {snapshot_name(other.number)}, View > Compare side by side both"
+            hint = f"X shows {snapshot_name(other.number)}, View > Compare side by side all"
         self.done.emit(f"Stored snapshot {number}{replacement}; {hint}")
 
     def forget_problems(self) -> None:
