@@ -190,6 +190,11 @@ def placed(
     return tuple(by_id[voice.id] for voice in voices if voice.id in by_id)
 
 
+def moving_places(placed: tuple[Placed, ...]) -> tuple[int, ...]:
+    """Places at which anything moves the skin, each once."""
+    return tuple(dict.fromkeys(each.voice.location for each in placed if each.moves))
+
+
 def stimulus_samples(
     others_placed: tuple[Placed, ...], edited_drive: Drive | None, edited_delay: int
 ) -> int:
