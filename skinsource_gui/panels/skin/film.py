@@ -1,5 +1,6 @@
 """The skin map in time as a file (MP4, WebM or GIF): its options and its frames."""
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -304,8 +305,17 @@ def _end_s(design: Design, view: View) -> float:
     """Return the end of the response on the time axis."""
     limb = facts_of(design.limb)
     removed_s = limb.pre_trigger_delay_s if view.delay_removed else 0.0
-    end_s = _moves_s(design)[1] + (limb.n_taps - 1) / limb.sample_rate_hz
+    end_s = _moves_s(design)[1] + (_taps_from_0(design, limb) - 1) / limb.sample_rate_hz
     return max(end_s - removed_s, 0.0)
+
+
+def _taps_from_0(design: Design, limb: LimbFacts) -> int:
+    """Return how many samples from time 0 on an impulse of the drive rings, also in actuators."""
+    if design.actuated is not None:
+        with suppress(SkinSourceError):  # the export says why it cannot be played
+            driven = evaluate(design, "driven_limb")["driven_limb"]
+            return int(driven.n_taps - driven.lead_samples)
+    return limb.n_taps
 
 
 #: Usual width and height of a frame, px.
