@@ -12,11 +12,11 @@ from PySide6.QtCore import QSizeF
 from skinsource.base.conventions import axes_text
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.design.design import Design, View, audible_inputs
+from skinsource.design.design import Design, View
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.evaluation import evaluate
-from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, loop_of
+from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, loop_of, played_clips
 from skinsource.engine.time_rules import block_of
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.video import frames_per_s, video_file
@@ -295,8 +295,7 @@ def _pace(design: Design, view: View, options: FilmOptions) -> float:
 
 def _moves_s(design: Design) -> tuple[float, float]:
     """Return from when until when clips play, without computing what they play."""
-    tracks = audible_inputs(design.inputs)
-    clips = [clip for track in tracks for clip in track.clips if not clip.muted]
+    clips = played_clips(design)
     begin_s = min((clip.onset_s for clip in clips), default=0.0)
     return begin_s, max((clip.end_s for clip in clips), default=0.0)
 
