@@ -19,14 +19,14 @@ from skinsource.engine.transforms import length_at_once
 from skinsource.limbs.limb import Limb
 
 
-def edited_voice(voices: tuple[Voice, ...], selected_input: int | None) -> Voice | None:
-    """The voice that is being edited, if it is heard; ``selected_input`` is its id."""
-    return next((voice for voice in voices if voice.audible and voice.id == selected_input), None)
+def edited_voice(voices: tuple[Voice, ...], edited_input: int | None) -> Voice | None:
+    """The voice that is being edited, if it is heard; ``edited_input`` is its id."""
+    return next((voice for voice in voices if voice.audible and voice.id == edited_input), None)
 
 
-def other_voices(voices: tuple[Voice, ...], selected_input: int | None) -> tuple[Voice, ...]:
+def other_voices(voices: tuple[Voice, ...], edited_input: int | None) -> tuple[Voice, ...]:
     """All voices that are heard but the edited one."""
-    return tuple(voice for voice in voices if voice.audible and voice.id != selected_input)
+    return tuple(voice for voice in voices if voice.audible and voice.id != edited_input)
 
 
 def unit_voices(voices: tuple[Voice, ...]) -> tuple[UnitVoice, ...]:
