@@ -4,6 +4,7 @@ The edited voice is the one that the user works on.  The others are summed witho
 sum stays when it changes.  No number depends on which voice is edited.
 """
 
+from collections.abc import Sequence
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -190,7 +191,7 @@ def placed(
     return tuple(by_id[voice.id] for voice in voices if voice.id in by_id)
 
 
-def moving_places(placed: tuple[Placed, ...]) -> tuple[int, ...]:
+def moving_places(placed: Sequence[Placed]) -> tuple[int, ...]:
     """Places at which anything moves the skin, each once."""
     return tuple(dict.fromkeys(each.voice.location for each in placed if each.moves))
 
