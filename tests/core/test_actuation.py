@@ -250,3 +250,15 @@ def test_a_step_says_whether_actuator_or_equaliser_was_changed():
     steps = {replace(coil, equaliser=INVERSE): "equaliser", piezo: "actuator"}
     for changed, what in steps.items():
         assert edits.choose_actuation(design, SEEN, changed).label == f"Change the {what}"
+
+
+def test_scripts_get_the_demand_at_the_input_that_the_view_selects():
+    tone = ss.waveforms.Tone(frequency_hz=100.0)
+    inputs = (ss.track(7, tone, amplitude=0.5), ss.track(13, tone, amplitude=2.0))
+    coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
+    design = ss.Design(limb="synthetic-1", inputs=inputs, actuation=ss.Actuation(actuators=(coil,)))
+    for selected, place, peak_v in (((1,), 7, 0.5), ((2,), 13, 2.0), ((), 7, 0.5)):
+        view = ss.View(selected_inputs=selected)
+        values = ss.evaluate(design, "actuator_demand", "transfer_place", view=view)
+        assert values["transfer_place"] == values["actuator_demand"].place == place
+        assert values["actuator_demand"].figures.peak_voltage_v == pytest.approx(peak_v, rel=1e-3)

@@ -25,11 +25,11 @@ MOST_GRAPHS = 4
 
 @dataclass(slots=True)
 class _CachedGraph:
-    """A graph, with the design and the view that it computed last."""
+    """A graph, with the design that it computed last, and the input that was edited before."""
 
     graph: Graph
     design: Design
-    view: View
+    edited_input: int | None
 
 
 class Evaluator:
@@ -54,9 +54,11 @@ class Evaluator:
     ) -> dict[str, Any]:
         """Return the quantities by name; see `skinsource.evaluate`."""
         with self._lock:
-            cached = self._closest(design, View() if view is None else view)
+            view = View() if view is None else view
+            cached = self._closest(design, view)
+            given = {**sources(design, view), "edited_input": cached.edited_input}
             try:
-                values = cached.graph.evaluate(quantities, sources(cached.design, cached.view))
+                values = cached.graph.evaluate(quantities, given)
             except UnknownQuantity as error:
                 raise InvalidInputError(f"{error.args[0]}. See skinsource.quantities().") from error
             except BaseException:
@@ -77,12 +79,12 @@ class Evaluator:
         if closest is not None and len(_changed(closest.design, design)) <= 1:
             self._cached.remove(closest)
         else:
-            closest = _CachedGraph(new_graph(self._shared), design, view)
-        # The changed input is selected, as in the studio, so that the sum of the others is computed
-        # once.  No number depends on which input is selected.
+            closest = _CachedGraph(new_graph(self._shared), design, view.selected_input)
+        # The changed input is the edited one, as in the studio, so that the sum of the others is
+        # computed once.  No number depends on which input is edited.
         changed = _changed(closest.design, design)
-        selected = tuple(changed) or closest.view.selected_inputs
-        closest.design, closest.view = design, replace(view, selected_inputs=selected)
+        closest.design = design
+        closest.edited_input = changed[-1] if changed else closest.edited_input
         self._cached = [*self._cached, closest][-MOST_GRAPHS:]
         return closest
 

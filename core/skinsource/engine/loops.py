@@ -191,7 +191,7 @@ def animation_of(
     is shown in its middle, for one period.  ``moving`` is `moving_name` of the design, if known.
     """
     if moving is None:
-        onset_s = min((part.onset_s for part in _played(design)), default=0.0)
+        onset_s = min((part.onset_s for part in played_clips(design)), default=0.0)
         name = moving_name(design.limb)
         moving = evaluate(design, name, view=View(playhead_s=onset_s))[name]
     loop, tone = loop_of(design, moving), _only_tone(design)
@@ -223,7 +223,7 @@ def moving_name(limb: str, axes: str = "") -> str:
 
 def _passing(design: Design, moving: Moving) -> Loop:
     rate_hz = moving.sample_rate_hz
-    onsets_s = [part.onset_s for part in _played(design)] or [0.0]
+    onsets_s = [part.onset_s for part in played_clips(design)] or [0.0]
     begin_s = max(min(onsets_s) + moving.delay_s - _BEFORE_S, moving.first / rate_hz)
     # The last clip may be far softer than those before.
     since = max(round((max(onsets_s) + moving.delay_s) * rate_hz) - moving.first, 0)
@@ -243,19 +243,20 @@ def _passing(design: Design, moving: Moving) -> Loop:
     )
 
 
-def _played(design: Design) -> list[Clip]:
+def played_clips(design: Design) -> list[Clip]:
+    """Return the clips that are heard."""
     tracks = audible_inputs(design.inputs)
     return [clip for track in tracks for clip in track.clips if not clip.muted]
 
 
 def is_sequence(design: Design) -> bool:
     """Return whether clips begin one after another."""
-    return len({clip.onset_s for clip in _played(design)}) > 1
+    return len({clip.onset_s for clip in played_clips(design)}) > 1
 
 
 def _only_tone(design: Design) -> tuple[Clip, Tone] | None:
     """Return the tone that all audible inputs play, in any phase, and a clip of it; or None."""
-    clips = _played(design)
+    clips = played_clips(design)
     curved = any(track.gain_curve for track in audible_inputs(design.inputs))
     tones = [
         (clip, clip.waveform)

@@ -158,6 +158,7 @@ def sources(
         "span": view.span,
         "outputs": view.outputs,
         "selected_input": view.selected_input,
+        "edited_input": view.selected_input,
         "delay_removed": view.delay_removed,
         "moving_block": block_of(view.playhead_s),
         "spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings),

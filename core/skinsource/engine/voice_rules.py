@@ -4,6 +4,7 @@ The edited voice is the one that the user works on.  The others are summed witho
 sum stays when it changes.  No number depends on which voice is edited.
 """
 
+from collections.abc import Sequence
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -19,14 +20,14 @@ from skinsource.engine.transforms import length_at_once
 from skinsource.limbs.limb import Limb
 
 
-def edited_voice(voices: tuple[Voice, ...], selected_input: int | None) -> Voice | None:
-    """The voice that is being edited, if it is heard; ``selected_input`` is its id."""
-    return next((voice for voice in voices if voice.audible and voice.id == selected_input), None)
+def edited_voice(voices: tuple[Voice, ...], edited_input: int | None) -> Voice | None:
+    """The voice that is being edited, if it is heard; ``edited_input`` is its id."""
+    return next((voice for voice in voices if voice.audible and voice.id == edited_input), None)
 
 
-def other_voices(voices: tuple[Voice, ...], selected_input: int | None) -> tuple[Voice, ...]:
+def other_voices(voices: tuple[Voice, ...], edited_input: int | None) -> tuple[Voice, ...]:
     """All voices that are heard but the edited one."""
-    return tuple(voice for voice in voices if voice.audible and voice.id != selected_input)
+    return tuple(voice for voice in voices if voice.audible and voice.id != edited_input)
 
 
 def unit_voices(voices: tuple[Voice, ...]) -> tuple[UnitVoice, ...]:
@@ -188,6 +189,11 @@ def placed(
     if edited_voice is not None and edited_drive is not None:
         by_id[edited_voice.id] = Placed(edited_voice, edited_drive, edited_delay)
     return tuple(by_id[voice.id] for voice in voices if voice.id in by_id)
+
+
+def moving_places(placed: Sequence[Placed]) -> tuple[int, ...]:
+    """Places at which anything moves the skin, each once."""
+    return tuple(dict.fromkeys(each.voice.location for each in placed if each.moves))
 
 
 def stimulus_samples(

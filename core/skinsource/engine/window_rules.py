@@ -8,7 +8,6 @@ import numpy as np
 from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.job import Stop
-from skinsource.design.signal_path import Voice
 from skinsource.engine.moments import Projection
 from skinsource.engine.spectra import TotalSpectrum
 from skinsource.engine.streaming import Piece, StreamedVibration, projected_pieces
@@ -93,14 +92,11 @@ def surface_of_windows_db(surface: SurfaceOperator, levels_of_windows_db: Floats
 
 
 def extents_of_windows(
-    rms_of_windows: Floats, limb_data: Limb, voices: tuple[Voice, ...]
+    rms_of_windows: Floats, limb_data: Limb, moving_places: tuple[int, ...]
 ) -> tuple[Extent | None, ...]:
-    """How far each window reaches from the nearest audible input; None: it is silent."""
-    places = sorted(
-        {voice.location for voice in voices if voice.audible and voice.amplitude != 0.0}
-    )
+    """How far each window reaches from the nearest input that moves the skin; None: silence."""
     placed = np.isfinite(limb_data.map.output_positions[:, 0])
     return tuple(
-        extent(rms, limb_data, places) if places and rms[placed].any() else None
+        extent(rms, limb_data, moving_places) if moving_places and rms[placed].any() else None
         for rms in rms_of_windows
     )

@@ -155,7 +155,7 @@ def pack(
 def _writers(
     design: Design, view: View, rig: Rig | None, stop: Stop
 ) -> dict[str, Callable[[Path], object]]:
-    exported = ExportedDesign(design, view, stop=stop)
+    exported, rig = ExportedDesign(design, view, stop=stop), rig or design.rig
     tables = {"levels.csv": write_levels, "map.csv": write_map, "map.png": write_map_picture}
     if view.outputs:
         tables["traces.csv"] = write_traces
@@ -175,9 +175,8 @@ def _writers(
         # The sidecar says what the rate loses, and what clips where a rig says full scale.
         options = stimuli.StimulusOptions(accept_loss=True)
         writers["stimulus.wav"] = lambda path: stimuli.export_stimulus(
-            design, path, "wav", _RATE_HZ, options=options, confirmed=True, stop=stop
+            design, path, "wav", _RATE_HZ, options=options, rig=rig, confirmed=True, stop=stop
         )
-    rig = rig or design.rig
     if rig is not None:
         writers["rig.skinrig"] = lambda path: save_rig(path, rig)
     return writers

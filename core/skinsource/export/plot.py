@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, fields, replace
-from functools import cache
+from functools import cache, reduce
 from io import BytesIO
 from pathlib import Path
 from typing import Any, Literal
@@ -786,16 +786,20 @@ def _checked_view(view: View | None, outputs: Sequence[int] | None) -> View:
     return view
 
 
-def _filled(traces: Floats, n_times: int) -> Floats:
-    """Return traces with silence at the end, so that all designs have ``n_times`` samples."""
-    return np.pad(traces, ((0, 0), (0, 0), (0, n_times - traces.shape[-1])))
+def _filled(result: Mapping[str, Any], time_s: Floats) -> Floats:
+    """Return traces with silence before and after, so that all designs have all times."""
+    traces: Floats = result["axis_traces"]
+    # Through actuators responses begin before time 0.
+    before = int(np.searchsorted(time_s, result["response_time_s"][0]))
+    after = time_s.size - before - traces.shape[-1]
+    return np.pad(traces, ((0, 0), (0, 0), (before, after)))
 
 
 def _waves(
     results: Sequence[Mapping[str, Any]], range_s: tuple[float, float] | None
 ) -> tuple[Floats, list[Floats]]:
     """Return times in a range, all unless given, and the projected signals of designs at them."""
-    time_s = max(results, key=lambda result: result["response_time_s"].size)["response_time_s"]
+    time_s = reduce(np.union1d, [result["response_time_s"] for result in results])
     low, high = range_s or (float(time_s[0]), float(time_s[-1]))
     within = np.flatnonzero((time_s >= low) & (time_s <= high))
     if not within.size:
@@ -816,7 +820,7 @@ def _wave_points(
 
     The wave runs along the axes, and the projection follows: a magnitude is its length.
     """
-    axes = _filled(result["axis_traces"], time_s.size)
+    axes = _filled(result, time_s)
     instants, axes = finer(time_s, axes, first, end)
     return instants, result["selected_projection"].signals(axes)
 
@@ -825,7 +829,7 @@ def _wave_extremes(
     result: Mapping[str, Any], time_s: Floats, first: int, end: int
 ) -> tuple[Floats, Floats]:
     """Return times and the lowest and highest value of the waves in columns, in turn."""
-    axes, projection = _filled(result["axis_traces"], time_s.size), result["selected_projection"]
+    axes, projection = _filled(result, time_s), result["selected_projection"]
     # A magnitude is the length of the wave along the axes.
     waves = axes if projection.directions is None else projection.signals(axes)
     starts = np.arange(_N_COLUMNS) * (end - first) // _N_COLUMNS

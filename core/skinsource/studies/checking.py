@@ -727,7 +727,8 @@ def condition_of(
     view = View(axes=chosen)
     progress(0, 3, f"Predicting {name}")
     # The recording is compared with the prediction of the studio's graph, which people use.
-    basis = _evaluate(design, view, stop, "limb_data", "response_samples", "stimulus_start_s")
+    wanted = "limb_data", "driven_limb", "response_samples", "stimulus_start_s"
+    basis = _evaluate(design, view, stop, *wanted)
     limb = basis["limb_data"]
     n_times = basis["response_samples"]
     most = _MOST_VALUES // (limb.n_outputs * len(chosen))
@@ -778,9 +779,12 @@ def condition_of(
             f"{path_text(Path(recorded.path.name))}: it is silent throughout, so there is nothing "
             "to compare. Choose another recording."
         )
-    shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
+    # A recording begins at about time 0; through actuators a prediction begins before.
+    lead = basis["driven_limb"].lead_samples
+    from_lead = np.pad(measured, ((0, 0), (0, 0), (lead, 0)))
+    shifted, shift = aligned(from_lead, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
     until_s = basis["stimulus_start_s"] + QUIET_SHARE * limb.pre_trigger_delay_s
-    quiet = measured[..., : max(round(until_s * limb.sample_rate_hz) - shift, 0)]
+    quiet = measured[..., : max(round(until_s * limb.sample_rate_hz) - lead - shift, 0)]
     noise, noise_of = _noise_rms(quiet, design, limb, chosen)
     return replace(
         condition,

@@ -106,7 +106,7 @@ class WaveView(FigureView):
     """Delay and level over the distance, and speed and attenuation from them."""
 
     name: ClassVar[str] = "wave"
-    needs = frozenset({"line_wave", "shown_outputs", "limb_data", "match_gain", "voices"})
+    needs = frozenset({"line_wave", "shown_outputs", "limb_data", "match_gain", "moving_places"})
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         self.picture = WavePicture()
@@ -138,8 +138,7 @@ class WaveView(FigureView):
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
         # Waves from several places: none of them is seen alone.
-        audible = [voice for voice in results["voices"] if voice.audible and voice.amplitude != 0.0]
-        several = f" · {_OVERLAP}" if len({voice.location for voice in audible}) > 1 else ""
+        several = f" · {_OVERLAP}" if len(results["moving_places"]) > 1 else ""
         self.show_result(f"{wave_text(line.wave)}{several}{note}{synthetic}")
 
     def table_text(self) -> str:

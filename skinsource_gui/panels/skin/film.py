@@ -1,5 +1,6 @@
 """The skin map in time as a file (MP4, WebM or GIF): its options and its frames."""
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,11 +12,11 @@ from PySide6.QtCore import QSizeF
 from skinsource.base.conventions import axes_text
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.design.design import Design, View, audible_inputs
+from skinsource.design.design import Design, View
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.evaluation import evaluate
-from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, loop_of
+from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, loop_of, played_clips
 from skinsource.engine.time_rules import block_of
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.video import frames_per_s, video_file
@@ -294,8 +295,7 @@ def _pace(design: Design, view: View, options: FilmOptions) -> float:
 
 def _moves_s(design: Design) -> tuple[float, float]:
     """Return from when until when clips play, without computing what they play."""
-    tracks = audible_inputs(design.inputs)
-    clips = [clip for track in tracks for clip in track.clips if not clip.muted]
+    clips = played_clips(design)
     begin_s = min((clip.onset_s for clip in clips), default=0.0)
     return begin_s, max((clip.end_s for clip in clips), default=0.0)
 
@@ -304,8 +304,17 @@ def _end_s(design: Design, view: View) -> float:
     """Return the end of the response on the time axis."""
     limb = facts_of(design.limb)
     removed_s = limb.pre_trigger_delay_s if view.delay_removed else 0.0
-    end_s = _moves_s(design)[1] + (limb.n_taps - 1) / limb.sample_rate_hz
+    end_s = _moves_s(design)[1] + (_taps_from_0(design, limb) - 1) / limb.sample_rate_hz
     return max(end_s - removed_s, 0.0)
+
+
+def _taps_from_0(design: Design, limb: LimbFacts) -> int:
+    """Return how many samples from time 0 on an impulse of the drive rings, also in actuators."""
+    if design.actuated is not None:
+        with suppress(SkinSourceError):  # the export says why it cannot be played
+            driven = evaluate(design, "driven_limb")["driven_limb"]
+            return int(driven.n_taps - driven.lead_samples)
+    return limb.n_taps
 
 
 #: Usual width and height of a frame, px.

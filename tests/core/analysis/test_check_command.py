@@ -1,12 +1,14 @@
 """The command that checks designs, alone and against recorded responses."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import skinsource as ss
 from skinsource import View, save_design
+from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.base.errors import RecordingError
 from skinsource.cli.command_line import main
 from skinsource.design.labels import SCALINGS, label_of
@@ -99,6 +101,20 @@ def test_channels_count_that_are_above_twice_the_noise_of_their_recording(
     share = condition.agreement.counted.mean()
     assert 0.1 < share < 0.5
     assert share == pytest.approx(np.mean(rms >= 2.0 * noise_rms), abs=0.03)
+
+
+def test_a_recording_from_time_0_is_aligned_where_an_equaliser_moves_before(design_file, tmp_path):
+    coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
+    actuation = ss.Actuation(actuators=(coil,), equaliser=RegularisedInverse())
+    design = replace(design_file[1], actuation=actuation)
+    begins_s = ss.evaluate(design, "response_time_s")["response_time_s"][0]
+    assert begins_s < -0.4
+    path = tmp_path / "lab.npz"
+    field = np.moveaxis(field_of(design), -1, 0)[round(-1300.0 * begins_s) :]
+    np.savez(path, field=field, fs=1300.0)
+    condition = condition_of(design, "lab", Recorded(path=path))
+    assert condition.shift_samples == 0
+    assert condition.agreement.correlation.min() > 0.99
 
 
 @pytest.mark.parametrize("axes", ["xyz", "z", "xz"])

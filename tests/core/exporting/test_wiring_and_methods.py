@@ -244,10 +244,13 @@ def test_without_matplotlib_all_but_the_figure_is_packed(tmp_path, monkeypatch, 
 def test_the_command_packs_a_file_with_its_rig(tmp_path, capsys):
     design, rig, out = (tmp_path / name for name in ("a.skinsource", "a.skinrig", "a.zip"))
     save_design(design, ONE_TRACK, VIEW)
-    save_rig(rig, Rig())
+    save_rig(rig, Rig(title="Bench", channels=(RigChannel(place=7),)))
     assert main(["pack", str(design), "--out", str(out), "--rig", str(rig)]) == 0
     assert capsys.readouterr().out == f"{out}\n"
     assert "rig.skinrig" in names(out)
+    with zipfile.ZipFile(out) as archive:
+        sidecar = next(name for name in archive.namelist() if name.endswith("wav.json"))
+        assert json.loads(archive.read(sidecar))["rig"] == "Bench"
     pack(out, replace(ONE_TRACK, rig=Rig(channels=(RigChannel(place=7),))), VIEW)
     assert "rig.skinrig" in names(out)
 

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 import skinsource as ss
+from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.base.errors import InvalidInputError, MissingExtraError
 from skinsource.base.extras import extra_line
 from skinsource.export.plot import common_range, draw_map, levels_of
@@ -85,6 +86,16 @@ def test_traces_are_the_projected_acceleration_over_time():
         np.testing.assert_allclose(line.get_xdata()[::FINER], 1e3 * time_s[within])
     labels = [tick_label.get_text() for tick_label in figure.axes[0].get_yticklabels()]
     assert labels == ["Output 19", "Output 30"]
+
+
+def test_designs_with_and_without_actuators_are_drawn_at_the_same_times():
+    coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
+    actuation = ss.Actuation(actuators=(coil,), equaliser=RegularisedInverse())
+    plain_design = replace(DESIGN, scaling="probe")
+    equalised = replace(plain_design, actuation=actuation)
+    figure = ss.plot.traces([plain_design, equalised], outputs=(30,))
+    plain, through = (line.get_ydata() for line in figure.axes[0].get_lines()[-2:])
+    assert np.corrcoef(plain, through)[0, 1] > 0.99
 
 
 def test_several_designs_lie_over_each_other_with_a_legend():

@@ -1,9 +1,12 @@
 """Which windows of a response belong to its stimulus, and what they hold."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.window_rules import _rms_within
 from skinsource.signals.analysis.windows import MOST_WINDOWS, Windows, windows_over
 
@@ -85,6 +88,15 @@ def test_extents_are_those_from_the_inputs_that_are_heard():
     values = ss.evaluate(muted, *WANTED, view=view)
     rms, extent = values["rms_of_windows"][0], values["extents_of_windows"][0]
     assert extent == ss.extent(rms, limb, 7)
+
+
+@pytest.mark.parametrize("still", [ss.Input(location=19), ss.track(25)], ids=["empty", "nowhere"])
+def test_extents_are_none_from_inputs_that_do_not_move_the_skin(still):
+    def extents(design):
+        given = sources(design, ss.View(method="mag"), leave_out_unplayable=True)
+        return new_graph().evaluate(("extents_of_windows",), given)["extents_of_windows"]
+
+    assert extents(replace(TRAIN, inputs=(*TRAIN.inputs, still))) == extents(TRAIN)
 
 
 def test_a_silent_window_has_no_extent_and_no_sound_of_rounding():

@@ -9,7 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QGuiApplication, QImage, QPainter
 from PySide6.QtTest import QTest
 
-from skinsource import Design, evaluate, track
+from skinsource import Design, Input, evaluate, track
 from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import SpectrogramSettings, settings_of
 from skinsource.design.waveforms.pulses import Tap
@@ -236,6 +236,7 @@ def test_the_wave_cautions_where_inputs_at_several_places_sound(show, window, se
         (track(there, Tap()), False),
         (track(elsewhere, Tap(), muted=True), False),
         (track(elsewhere, Tap(), amplitude=0.0), False),
+        (Input(location=elsewhere), False),
     ):
         window.document.edit("Add", replace(design, inputs=(*design.inputs, other)))
         settle()

@@ -825,6 +825,16 @@ def test_rows_of_traces_show_when_the_vibration_arrives_as_the_sentence_says(sta
     assert picture.pixelColor(int(x), round(area.bottom() - 3)).lightness() < 150
 
 
+def test_a_muted_track_does_not_change_when_the_vibration_arrives(stage, qtbot):
+    opened, document = scene_on(stage, qtbot, "2A", "synthetic-1"), stage.window().document
+    (only,) = opened.design.clips
+    later = opened.design.with_clip(only.id, onset_s=only.onset_s + 0.1)
+    document.start_over(later.adding(ss.track(7, muted=True)), opened.view, None)
+    qtbot.waitUntil(lambda: len(stage.compared[0].snapshot.design.inputs) == 2)
+    qtbot.waitUntil(lambda: bool(stage.strip.curves) and not stage.is_stale)
+    assert stage.strip.curves[0].arrival == pytest.approx(only.onset_s + 0.1)
+
+
 def test_rows_of_noise_say_so_and_have_no_arrival(measured, stage, qtbot):
     scene_on(stage, qtbot, "2A", "measured-1")
     assert stage.strip.curves[-2].names[-2] == "52 +6 ms"

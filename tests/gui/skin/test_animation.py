@@ -284,6 +284,15 @@ def test_what_is_said_of_a_film_is_the_part_that_the_response_has():
     assert text.startswith("0 to 150 ms of the response: 3.02 s of film, 181 frames.")
 
 
+def test_what_is_said_of_a_film_includes_what_actuators_ring():
+    coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
+    design = replace(DESIGN, inputs=(ss.track(7),), actuation=ss.Actuation(actuators=(coil,)))
+    view = shown("z", View(delay_removed=False))
+    last_s = ss.evaluate(design, "response_time_s", view=view)["response_time_s"][-1]
+    text = film_remark(design, view, FilmOptions(pace="20")).text
+    assert float(text.split("about ")[1].split(" s")[0]) == pytest.approx(20.0 * last_s, abs=0.1)
+
+
 @pytest.mark.parametrize(("frequency_hz", "pace"), [(400.0, "200"), (100.0, "50")])
 def test_the_waves_of_a_tone_are_filmed_as_slowly_as_on_the_stage(frequency_hz, pace):
     tone = ss.waveforms.Tone(frequency_hz=frequency_hz)

@@ -20,6 +20,7 @@ from skinsource.engine.gains import Placed
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.streaming import projected_signals
 from skinsource.engine.trace_rules import shown_outputs
+from skinsource.engine.voice_rules import moving_places
 from skinsource.export.tables import EXTENT_COLUMNS
 from skinsource.limbs.extent import distances_mm, spread
 from skinsource.limbs.limb import Limb
@@ -74,14 +75,9 @@ def columns_of(plan: Plan) -> tuple[str, ...]:
     )
 
 
-def moving_locations(placed: Sequence[Placed]) -> tuple[int, ...]:
-    """Return the locations at which anything moves the skin, each once."""
-    return tuple(dict.fromkeys(each.voice.location for each in placed if each.moves))
-
-
 def extent_metrics(rms: Floats, limb: Limb, placed: Sequence[Placed]) -> Metrics:
     """Return the metrics of `skinsource.extent` for the RMS of all outputs; NaN for silence."""
-    locations = moving_locations(placed)
+    locations = moving_places(placed)
     distance_mm = distances_mm(limb, locations) if locations else np.full(rms.size, np.nan)
     if not rms[np.isfinite(distance_mm)].any():
         return dict.fromkeys(EXTENT_COLUMNS, np.nan)
@@ -158,7 +154,7 @@ def actuator_metrics(
     metrics = dict.fromkeys(ACTUATOR_METRICS, 0.0)
     passed: set[str] = set()
     known = False
-    for location in moving_locations(placed):
+    for location in moving_places(placed):
         drive = np.zeros(n_times)
         here = drive_at(placed, location)
         drive[: here.size] = factor * here
