@@ -110,6 +110,10 @@ class MapsPanel(Panel):
         self._stale = stale
         if self.kind.own:
             super().show_stale(stale)
+            # An edit of what is silent changes no results.
+            if not stale and any(side.snapshot.design is not self.design for side in self.compared):
+                self.compared = ()
+                self._show_own()
 
     def show_problem(self, reason: str) -> None:
         self._problem = reason

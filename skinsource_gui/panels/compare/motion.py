@@ -156,7 +156,9 @@ class MovingMaps:
         if self.passing and self.longest_s > part_s:
             after_s, away_s = shown_part([loop for loop, _ in loops], part_s)
             self.loops = [pair and (pair[0].part(after_s, part_s), pair[1]) for pair in self.loops]
-            part = f"loudest {rounded(1e3 * part_s)} ms" if len(loops) == 1 else self.span_text
+            part = self.span_text
+            if len(loops) == 1 and loops[0][0].moving.is_whole:
+                part = f"loudest {rounded(1e3 * part_s)} ms"
         largest = max((loop.largest * gain for loop, gain in loops), default=0.0)
         end = _SHARE_OF_LARGEST * largest
         signed = all(loop.signed for loop, _ in loops)
