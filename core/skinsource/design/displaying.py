@@ -88,7 +88,7 @@ def html_of(design: Design) -> str:
     inputs = design.inputs[:_MOST_TRACKS]
     if not inputs:
         return "".join([*parts, "<p>No inputs.</p>"])
-    end_s = max((clip.onset_s + clip.waveform.duration_s for clip in design.clips), default=0.0)
+    end_s = max((clip.end_s for clip in design.clips), default=0.0)
     end_s = max(end_s, 0.02)
     # Drives are drawn at the sample rate of the limb.
     rate_hz = facts_of(design.limb).sample_rate_hz

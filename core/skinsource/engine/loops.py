@@ -157,8 +157,11 @@ def loop_of(design: Design, moving: Moving, *, passes: bool = False) -> Loop:
     the response to tones without beginning and end.  Not so where it ``passes``.
     """
     tone = None if passes else _only_tone(design)
-    whole = moving.first <= 0 and moving.end == moving.response_samples
-    if tone is not None and whole and moving.largest > 0.0:
+    if not moving.is_whole:
+        # No more of it is seen.
+        largest = float(np.linalg.norm(moving.signals, axis=1).max(initial=0.0))
+        moving = replace(moving, largest=largest or moving.largest)
+    if tone is not None and moving.is_whole and moving.largest > 0.0:
         hz = tone[1].frequency_hz
         return Loop(
             moving=moving,
@@ -191,7 +194,7 @@ def animation_of(
     is shown in its middle, for one period.  ``moving`` is `moving_name` of the design, if known.
     """
     if moving is None:
-        onset_s = min((part.onset_s for part in played_clips(design)), default=0.0)
+        onset_s = first_onset_s(design)
         name = moving_name(design.limb)
         moving = evaluate(design, name, view=View(playhead_s=onset_s))[name]
     loop, tone = loop_of(design, moving), _only_tone(design)
@@ -223,10 +226,10 @@ def moving_name(limb: str, axes: str = "") -> str:
 
 def _passing(design: Design, moving: Moving) -> Loop:
     rate_hz = moving.sample_rate_hz
-    onsets_s = [part.onset_s for part in played_clips(design)] or [0.0]
-    begin_s = max(min(onsets_s) + moving.delay_s - _BEFORE_S, moving.first / rate_hz)
+    last_s = max((part.onset_s for part in played_clips(design)), default=0.0)
+    begin_s = max(first_onset_s(design) + moving.delay_s - _BEFORE_S, moving.first / rate_hz)
     # The last clip may be far softer than those before.
-    since = max(round((max(onsets_s) + moving.delay_s) * rate_hz) - moving.first, 0)
+    since = max(round((last_s + moving.delay_s) * rate_hz) - moving.first, 0)
     size = np.linalg.norm(moving.signals[..., since:], axis=1)
     peaks = size.max(axis=1, initial=0.0)
     louder = peaks > _REST * peaks.max(initial=0.0)
@@ -247,6 +250,11 @@ def played_clips(design: Design) -> list[Clip]:
     """Return the clips that are heard."""
     tracks = audible_inputs(design.inputs)
     return [clip for track in tracks for clip in track.clips if not clip.muted]
+
+
+def first_onset_s(design: Design) -> float:
+    """Return when the first clip that is played begins, s; 0 where none is."""
+    return min((clip.onset_s for clip in played_clips(design)), default=0.0)
 
 
 def is_sequence(design: Design) -> bool:

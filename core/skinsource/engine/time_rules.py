@@ -61,6 +61,11 @@ class Moving(_PartOfResponse):
         """Sample of the response after the last sample that is held."""
         return self.first + self.signals.shape[-1]
 
+    @property
+    def is_whole(self) -> bool:
+        """Whether the whole response is held."""
+        return self.first <= 0 and self.end == self.response_samples
+
     def acceleration(self, time_s: float) -> Floats:
         """Return the acceleration at an instant of the response, (n_outputs, n_axes), m/s².
 

@@ -512,6 +512,12 @@ class Kind:
         """Return the limbs or frequencies at which the design is predicted."""
         return ()
 
+    def limbs(self, settings: CompareSettings, design: Design, view: View) -> list[str]:
+        """Return the limbs of the sides that do not come from the results of the window."""
+        stored = view.snapshots if "snapshots" in self.fields else ()
+        beside = self.beside(settings, design)
+        return [each.design.limb for each in stored] + [x for x in beside if isinstance(x, str)]
+
     def is_several(self, settings: CompareSettings, design: Design, view: View) -> bool:
         """Return whether there is more than one side."""
         stored = "snapshots" in self.fields

@@ -7,7 +7,14 @@ from PySide6 import QtGui, QtWidgets
 
 from skinsource.design import edits
 from skinsource.design.design import Design, View
-from skinsource_gui.panels.compare.content import KINDS, Cell, CompareContent, Kind, about_range
+from skinsource_gui.panels.compare.content import (
+    ALL_AXES,
+    KINDS,
+    Cell,
+    CompareContent,
+    Kind,
+    about_range,
+)
 from skinsource_gui.panels.compare.motion import Clock, MovingMaps
 from skinsource_gui.panels.compare.settings import RANGE, CompareSettings
 from skinsource_gui.panels.compare.view import MapsView
@@ -65,7 +72,10 @@ class MapsPanel(Panel):
         """What moving maps and their traces need beside it."""
         if self.design is None:
             return frozenset()
-        return frozenset({self.kind.moving(self.design.limb, self.view.axes)})
+        limbs = {self.design.limb, *self.kind.limbs(self.settings, self.design, self.view)}
+        names = {self.kind.moving(limb, self.view.axes) for limb in limbs}
+        # Of limbs that were measured along different axes, one may move along z alone.
+        return frozenset(names if len(names) == 1 else {ALL_AXES})
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -110,6 +120,10 @@ class MapsPanel(Panel):
         self._stale = stale
         if self.kind.own:
             super().show_stale(stale)
+            # An edit of what is silent changes no results.
+            if not stale and any(side.snapshot.design is not self.design for side in self.compared):
+                self.compared = ()
+                self._show_own()
 
     def show_problem(self, reason: str) -> None:
         self._problem = reason

@@ -21,7 +21,7 @@ from skinsource.engine.loops import (
 )
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.units import minus
-from skinsource_gui.panels.compare.content import Cell, Names, along
+from skinsource_gui.panels.compare.content import ALL_AXES, Cell, Names, along
 from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
 from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.plots.small_map import ColourScale, Range, small_map_of
@@ -137,7 +137,7 @@ class MovingMaps:
     ) -> None:
         """Take over designs and how they are called; ``held``: ends of the scale that stays."""
         self._compared = compared
-        self.loops = [_loop(side, self.axes, passes=self.passes) for side in compared]
+        self.loops = self._loops_of(compared, passes=self.passes)
         if self.passing:
             self._pass_together(compared)
         loops = [known for known in self.loops if known is not None]
@@ -156,13 +156,13 @@ class MovingMaps:
         if self.passing and self.longest_s > part_s:
             after_s, away_s = shown_part([loop for loop, _ in loops], part_s)
             self.loops = [pair and (pair[0].part(after_s, part_s), pair[1]) for pair in self.loops]
-            part = f"loudest {rounded(1e3 * part_s)} ms" if len(loops) == 1 else self.span_text
+            part = self.span_text
+            if len(loops) == 1 and loops[0][0].moving.is_whole:
+                part = f"loudest {rounded(1e3 * part_s)} ms"
         largest = max((loop.largest * gain for loop, gain in loops), default=0.0)
         end = _SHARE_OF_LARGEST * largest
         signed = all(loop.signed for loop, _ in loops)
-        shown = {
-            moving_axis(side.snapshot.design.limb, side.axes or self.axes) for side in compared
-        }
+        shown = set(self._axes_of(compared))
         axis = shown.pop() if signed and len(shown) == 1 else ""
         direction = "along the axis of each map" if signed else ""
         if axis:
@@ -211,13 +211,27 @@ class MovingMaps:
         loops = [known[0] for known in self.loops if known]
         return [loop for loop in loops if loop.phasors is None and loop.largest]
 
+    def _axes_of(self, compared: Sequence[Compared]) -> list[str]:
+        """Return along which axis each moves; all axes of each where one of them has no such."""
+        limbs = [side.snapshot.design.limb for side in compared]
+        chosen = [side.axes or self.axes for side in compared]
+        axes = list(map(moving_axis, limbs, chosen))
+        together = any(len(each) > 1 for each in axes)
+        return [facts_of(limb).axes for limb in limbs] if together else axes
+
+    def _loops_of(
+        self, compared: Sequence[Compared], *, passes: bool
+    ) -> list[tuple[Loop, float] | None]:
+        axes = self._axes_of(compared)
+        return [_loop(side, axis, passes=passes) for side, axis in zip(compared, axes, strict=True)]
+
     def _begin_s(self, loop: Loop) -> float:
         return loop.begin_s - self.delay_removed * loop.moving.delay_s
 
     def _pass_together(self, compared: Sequence[Compared]) -> None:
         """Have all loops begin with the first one that sounds, and end with the last."""
         if len(self.passing) < sum(known is not None for known in self.loops):
-            self.loops = [_loop(side, self.axes, passes=True) for side in compared]
+            self.loops = self._loops_of(compared, passes=True)
         times_s = [(self._begin_s(loop), loop.duration_s) for loop in self.passing]
         begin_s = min(time_s for time_s, _ in times_s)
         lasts_s = max(time_s + loop_s for time_s, loop_s in times_s) - begin_s
@@ -264,15 +278,15 @@ class MovingMaps:
         return replace(cell, small=small)
 
 
-def _loop(side: Compared, axes: str, *, passes: bool) -> tuple[Loop, float] | None:
-    design, axes = side.snapshot.design, side.axes or axes
-    name = moving_name(design.limb, axes)
-    if side.values is None or name not in side.values:
+def _loop(side: Compared, axis: str, *, passes: bool) -> tuple[Loop, float] | None:
+    """Return what moves along an axis; of several axes, the length of the vector."""
+    design, values = side.snapshot.design, side.values or {}
+    name = moving_name(design.limb, axis) if len(axis) == 1 else ALL_AXES
+    moving = values.get(name, values.get(ALL_AXES))
+    if moving is None:
         return None
-    moving = side.values[name]
-    if moving.signals.shape[1] > 1 and len(axis := moving_axis(design.limb, axes)) == 1:
-        k = facts_of(design.limb).axes.index(axis)
-        moving = along(moving, k)
+    if moving.signals.shape[1] > 1 and len(axis) == 1:
+        moving = along(moving, facts_of(design.limb).axes.index(axis))
     return loop_of(design, moving, passes=passes), side.gain
 
 

@@ -42,7 +42,7 @@ from skinsource.design.panel_settings import (
     stage_settings,
     with_settings,
 )
-from skinsource.engine.loops import Loop, played_clips
+from skinsource.engine.loops import Loop, first_onset_s
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.wave_speed import arrivals
 from skinsource.specs.models import specs_of
@@ -842,8 +842,7 @@ def _in_rows(
     signals = moving.signals[:, 0] if loop.signed else np.linalg.norm(moving.signals, axis=1)
     # Noise never arrives.
     heard = signals[rows] * ~np.isin(rows, noisy)[:, None]
-    clips = played_clips(side.snapshot.design)
-    onset_s = min((clip.onset_s for clip in clips), default=0.0) + moving.delay_s
+    onset_s = first_onset_s(side.snapshot.design) + moving.delay_s
     first_s = moving.first / moving.sample_rate_hz
     delays_s = arrivals(heard, moving.sample_rate_hz, onset_s - first_s)
     for curve, delay_s in zip(curves, delays_s, strict=True):

@@ -1,5 +1,6 @@
 """What a notebook shows of a design."""
 
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import pytest
@@ -79,3 +80,11 @@ def test_many_clips_are_counted_and_not_all_listed():
     assert "… and 20 more clips" in html
     assert "… and 1 more clip<" in design.with_input(0, clips=clips[:41])._repr_html_()
     assert html.count("<tr>") == 41
+
+
+def test_what_effects_make_longer_is_drawn_to_its_end():
+    (clip,) = tone(7).clips
+    longer = replace(clip, effects=(ss.effects.Repeat(times=4),))
+    design = ss.Design(limb="synthetic-1", inputs=(replace(tone(7), clips=(longer,)),))
+    (points,) = curves_of(design)
+    assert points[-1][0] <= float(drawing_of(design).get("width"))

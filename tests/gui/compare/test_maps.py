@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource import Design, View, evaluate, people, track
+from skinsource import Design, View, evaluate, people, track, waveforms
 from skinsource.design.comparing import scale_end_db
 from skinsource.design.design import Snapshot
 from skinsource.design.panel_settings import with_settings
@@ -344,6 +344,29 @@ def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
     view = View(axes="xz", method=document.view.method)
     expected = evaluate(on_lab, "output_levels_db", view=view)["output_levels_db"]
     assert lab.values_db == pytest.approx(expected, abs=1e-9)
+
+
+@pytest.mark.parametrize(("axes", "viewed"), [("xz", "y"), ("xy", "z"), ("xy", "xy")])
+def test_limbs_that_were_measured_along_different_axes_move_beside_each_other(
+    window, panel, qtbot, user_data, axes, viewed
+):
+    installed(axes=axes)
+    window.limbs.look()
+    names, document = ("synthetic-1", "lab-1"), window.document
+    designs = [Design(limb=name, inputs=(track(3, waveforms.Tap()),)) for name in names]
+    document.edit("", designs[viewed == axes])
+    stored = tuple(Snapshot(number=k, design=each) for k, each in enumerate(designs, 1))
+    document.look(replace(document.view, axes=viewed, snapshots=stored))
+    vectors = [evaluate(each, "moving_vector")["moving_vector"].signals for each in designs]
+    # Lengths of vectors where one of them does not move along a single axis of the view or z.
+    largest = [np.linalg.norm(each, axis=1).max() for each in vectors]
+    if axes == "xz":
+        largest = [np.abs(each[:, 1]).max() for each in vectors]
+    for of in ("snapshots", "limbs"):
+        choose(window, of=of, shown="motion", limbs=" ".join(names))
+        cells = shown(panel, qtbot, 2)
+        assert [cell.reaches[-1] for cell in cells] == [f"{each:.2g} m/s²" for each in largest]
+        assert cells[0].scale.signed is (axes == "xz")
 
 
 def test_a_range_that_is_fixed_on_the_skin_map_holds_for_maps_in_the_same_unit(

@@ -27,6 +27,7 @@ from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.compare.stage import Dial, _number
 from skinsource_gui.panels.compare.view import bold
+from skinsource_gui.panels.traces.panel import TracesSettings
 from skinsource_gui.plots.pictures import MOVING, letters_px
 from skinsource_gui.qt.theme import current_theme, tabular
 from tests.gui.exporting import shown
@@ -1068,3 +1069,37 @@ def test_curves_of_a_far_output_fill_the_plot_once_the_mouse_rests(stage, qtbot,
     stage._rest.timeout.emit()
     values = [curve.y if name == "2D" else np.abs(curve.y) for curve in stage.strip.curves]
     assert stage.strip.ends[1][1] == np.max(values) < ends[1][1]
+
+
+def test_of_what_is_known_in_part_no_part_is_called_the_loudest(stage, qtbot):
+    document, tone = stage.window().document, ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.5)
+    # Of so long a design the first 25 s are known.
+    tracks = ss.track(7, tone, amplitude=0.1), ss.track(7, tone, amplitude=10.0, onset_s=40.0)
+    document.edit("", replace(document.design, inputs=tracks))
+    qtbot.waitUntil(lambda: stage.moving.longest_s > 1.0)
+    (cell,) = stage.maps.content.cells
+    assert "loudest" not in cell.scale.text_below
+    assert stage.moving.span_text in cell.scale.text_below
+    soft = replace(document.design, inputs=tracks[:1])
+    found = np.abs(ss.evaluate(soft, "moving_z")["moving_z"].signals).max()
+    assert cell.reaches[-1] == f"{found:.2g} m/s²"
+    # The same axis is as large beside the others.
+    assert side_by_side(stage, qtbot, 3, of="axes")[2].reaches == cell.reaches
+
+
+def test_an_input_that_is_silent_is_marked_and_moves_no_arrival(stage, qtbot):
+    document = stage.window().document
+    tap = ss.track(7, ss.waveforms.Tap(), onset_s=0.2)
+    view = replace(document.view, outputs=(29, 40, 57))
+    document.look(with_settings(view, "traces", TracesSettings(layout="stacked")))
+    document.edit("", replace(document.design, inputs=(tap,)))
+    qtbot.waitUntil(lambda: stage.strip.in_rows and stage.strip.curves[0].arrival is not None)
+    arrivals = [curve.arrival for curve in stage.strip.curves]
+    muted = ss.track(18, ss.waveforms.Tap(), muted=True)
+    both = replace(document.design, inputs=(tap, muted))
+    document.edit("", both)
+    qtbot.waitUntil(lambda: stage.maps.content.cells[0].design is document.design)
+    assert [curve.arrival for curve in stage.strip.curves] == arrivals
+    # It is marked no longer where it is taken away, which changes no results either.
+    document.undo_stack.undo()
+    qtbot.waitUntil(lambda: len(stage.maps.content.cells[0].design.inputs) == 1)
