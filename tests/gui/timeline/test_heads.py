@@ -106,6 +106,17 @@ def test_the_tooltip_says_amplitude_and_peak_and_a_gain_where_a_recording_keeps_
     assert "Input gain -0.5 (\u22126.02 dB), peak 2.44 m/s²" in tip_of(bench, 0)
 
 
+def test_where_an_amplitude_is_a_peak_on_the_skin_a_gain_curve_leaves_meter_and_tooltip(bench):
+    results = clip_results(bench.design)
+    softer = tuple(0.5 * played for played in results["input_waveforms"])
+    bench.panel.show_results(results | {"input_waveforms": softer})
+    meter = bench.rows.places(0).meter.toRect()
+    before = bench.rows.grab(meter).toImage()
+    bench.show(replace(bench.design, scaling="upstream"))
+    assert "1 m/s² (0 dB), peak 1 m/s²" in tip_of(bench, 0)
+    assert bench.rows.grab(meter).toImage() != before
+
+
 def test_the_tooltip_of_several_selected_heads_says_that_buttons_change_all(bench):
     together = "change all selected inputs"
     assert together not in tip_of(bench, 0)
@@ -337,6 +348,7 @@ def test_an_amplitude_is_typed_for_its_row_or_for_all_selected_ones(bench):
         ("−6", [0.501187, -0.501187]),
         ("-6.02", [1.0, -0.5]),
         ("−∞", [0.0, 0.0]),
+        ("-inf dB", [0.0, 0.0]),
         ("-2 m/s^2", [-2.0, -2.0]),
         ("1", [1.122018, -1.122018]),
     ],
