@@ -1,4 +1,4 @@
-"""The clip panel: fields of the selected inputs and clips, their picture and their effects."""
+"""The clip panel: fields of the selected inputs and clips, and their effects."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace

@@ -146,8 +146,8 @@ def text_of(head: Head, design: Design, view: View) -> str:
     if clip is not None:
         length = duration_text(clip.duration_s)
         played = f"{clip_text(clip)} · {length}{clips_text(len(track.clips))}"
-    gain, unit = f"{AMPLITUDE_GAIN.label} {track.amplitude:g}", amplitude_unit(design)
-    level = gain if is_gain(design, track) else f"{track.amplitude:g} {unit}"
+    gain, unit = f"{AMPLITUDE_GAIN.label} {track.amplitude:zg}", amplitude_unit(design)
+    level = gain if is_gain(design, track) else f"{track.amplitude:zg} {unit}"
     level += f" ({level_text(track.amplitude)})"
     if (peak := head.peak) is not None:
         level += f", peak {peak:.3g} {unit}"

@@ -12,6 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QToolTip
 
 from skinsource import Design, View
+from skinsource.design.amplitudes import amplitude_text
 from skinsource.design.waveforms.samples import Recording
 from skinsource.specs.samples import Samples
 from skinsource_gui.fields.inputs import FieldChanges
@@ -364,6 +365,17 @@ def test_the_level_that_is_shown_is_typed_and_leaves_the_polarity(bench, typed, 
     assert ["Polarity inverted" in tip_of(bench, k) for k in (0, 1)] == [
         value < 0 for value in amplitudes(bench)[:2]
     ]
+
+
+def test_an_inverted_track_that_is_silent_has_an_amplitude_of_0_in_words(bench):
+    bench.show(bench.design.with_input(0, amplitude=-0.5), selected_inputs=(1,))
+    drag_fader(bench, 0, -200)
+    assert "0 m/s² (silent)" in tip_of(bench, 0).split("\n")
+    assert amplitude_text(bench.design, bench.design.inputs[0]) == "0 m/s²"
+    # The fader has kept its polarity.
+    bench.rows.setFocus()
+    bench.key(KEY.Key_Right)
+    assert amplitudes(bench)[0] < 0
 
 
 def test_the_list_follows_the_selection_from_elsewhere(qtbot):

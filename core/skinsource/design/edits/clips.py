@@ -431,9 +431,7 @@ def _onset(time_s: float) -> float:
     return min(max(short(time_s), ONSET.minimum), ONSET.maximum)
 
 
-def _without_clips(
-    design: Design, view: View, ids: Iterable[int], verb: str, done: str
-) -> Edit:
+def _without_clips(design: Design, view: View, ids: Iterable[int], verb: str, done: str) -> Edit:
     removed = chosen_clips(design, ids)
     gone = {clip.id for clip in removed}
     left = with_clips(design, lambda track: [clip for clip in track.clips if clip.id not in gone])
