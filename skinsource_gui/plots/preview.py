@@ -1,4 +1,4 @@
-"""Small pictures of what a design plays: a spectrum, a waveform, and clips on tracks."""
+"""Small pictures of what a design plays: a spectrum, and clips on tracks."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace

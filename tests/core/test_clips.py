@@ -11,8 +11,8 @@ import skinsource as ss
 from skinsource import Clip, Design, Input, View, edits, track
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.design.edits.edit import Refusal
-from skinsource.design.effects.time import Trim
-from skinsource.design.waveforms import KINDS, Layers, Noise, Tap, Tone
+from skinsource.design.effects.time import Reverse, Trim
+from skinsource.design.waveforms import KINDS, Impulse, Layers, Noise, Tap, Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.signals.sampling import NEAR, on_grid
 from skinsource.specs.models import decode, encode
@@ -216,6 +216,13 @@ def test_a_group_plays_what_its_parts_play_there(onset_s, parts):
     # An onset that is nearer than this to a sample is on it.
     atol = 2 * np.pi * TONE_77.frequency_hz * NEAR / RATE_HZ
     np.testing.assert_allclose(total(group), total(*alone), rtol=0, atol=atol)
+
+
+def test_a_group_keeps_what_plays_backwards_up_to_its_last_sample():
+    crack = Clip(waveform=Impulse(), effects=(Reverse(),), onset_s=0.25)
+    group = Clip(waveform=Layers((replace(crack, onset_s=0.0),)), onset_s=0.25)
+    np.testing.assert_array_equal(total(group), total(crack))
+    assert total(group).any()
 
 
 @pytest.mark.parametrize("shift", [0.0, 0.3])

@@ -95,7 +95,7 @@ def peak_before_amplitude(design: Design, track: Input) -> float | None:
 
 def amplitude_text(design: Design, track: Input) -> str:
     """Return the amplitude of an input: ``"2 m/s²"``, or ``"gain 2, peak 9.76 m/s²"``."""
-    peak, amplitude = peak_before_amplitude(design, track), f"{track.amplitude:g}"
+    peak, amplitude = peak_before_amplitude(design, track), f"{track.amplitude:zg}"
     gain = is_gain(design, track, peak)
     text = f"gain {amplitude}" if gain else f"{amplitude} {amplitude_unit(design)}"
     said = peak is not None and says_peak(design, track, peak)

@@ -1,8 +1,8 @@
-"""The clip panel: fields of the selected inputs and clips, their picture and their effects."""
+"""The clip panel: fields of the selected inputs and clips, and their effects."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
@@ -45,7 +45,7 @@ from skinsource.design.edits.effects import values_of
 from skinsource.design.edits.view import change_texts
 from skinsource.design.labels import SCALINGS, scalings_on
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.samples import Recording
+from skinsource.design.waveforms.samples import Drawn, Recording
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of
@@ -80,21 +80,29 @@ from skinsource_gui.qt.buttons import (
     page_label,
     scrolled,
     solo_button,
-    tool_button,
 )
 from skinsource_gui.qt.labels import HOW_TO_SELECT_INPUT, FittingLabel, how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row, named, show_tooltip, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
+# Where samples come from: name of the button, label, text, hint and action.
+_SOURCES: dict[type[Waveform], tuple[str, str, str, str, str]] = {
+    Recording: (
+        *("recording_button", "File", "Choose file…"),
+        *("Import a recording, in place of these samples or beside them", "import_recording"),
+    ),
+    Drawn: ("draw_button", "Samples", "Draw…", "Draw this clip with the pen", "draw_clip"),
+}
 
-def _file_cell(clicked: SignalInstance) -> LabelledCell:
-    """Return a cell with a button that imports a file."""
-    cell = LabelledCell("File")
-    hint = tooltip("Import a recording, in place of these samples or beside them")
-    button = named(QtWidgets.QPushButton("Choose file…", cell), "recording_button", hint=hint)
+
+def _source_cell(kind: type[Waveform], wanted: SignalInstance) -> LabelledCell:
+    """Return a cell with a button for where the samples of a waveform come from."""
+    name, label, text, hint, action = _SOURCES[kind]
+    cell = LabelledCell(label)
+    button = named(QtWidgets.QPushButton(text, cell), name, hint=tooltip(hint))
     button.setMinimumHeight(LABEL_PX)
-    button.clicked.connect(lambda: clicked.emit())
+    button.clicked.connect(lambda: wanted.emit(action))
     cell.stack.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
     cell.label.setBuddy(button)
     cell.setFocusProxy(button)
@@ -170,8 +178,8 @@ class InputFields(QObject):
 
     #: Name of the field, its new value, number of the gesture or None.
     edited = Signal(str, object, object)
-    #: A file shall be imported as a recording.
-    file_requested = Signal()
+    #: An action that gets the samples of a waveform, by its name.
+    source_requested = Signal(str)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -336,8 +344,8 @@ class InputFields(QObject):
                 cells.append(cell)
         if waveform and fixed_length_text(waveform):
             self._duration = TextCell("Duration", fixed_length_text(waveform))
-        if isinstance(waveform, Recording):
-            cells.append(_file_cell(self.file_requested))
+        if type(waveform) in _SOURCES:
+            cells.append(_source_cell(type(waveform), self.source_requested))
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
         discard(old, self.kind.field)
@@ -446,13 +454,11 @@ class InspectorPanel(Panel):
         self._fields.place.edited.connect(self._change_place)
         self._fields.edited.connect(self._change_field)
         self._fields.meaning.chosen.connect(self._change_scaling)
-        self._fields.file_requested.connect(partial(self.action_requested.emit, "import_recording"))
+        self._fields.source_requested.connect(self._act)
         self._chain = EffectChain()
         self._chain.edited.connect(self.edited)
         self._chain.action_requested.connect(self._act)
         self._heading = ClipHeading()
-        self._draw = tool_button(None, "draw_button", "Draw", "Draw this clip with the pen")
-        self._draw.clicked.connect(partial(self._act, "draw_clip"))
         self._mute, self._solo = mute_button(), solo_button()
         self._mute.clicked.connect(lambda: self._change(edits.toggle_mute))
         self._solo.clicked.connect(lambda: self._change(edits.toggle_solo))
@@ -532,8 +538,7 @@ class InspectorPanel(Panel):
         self._scroll = scroll = scrolled(inside, "inspector_fields")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._editor = QtWidgets.QWidget()
-        heading = in_row((self._heading, 1), self._draw, margins=0, gap_px=UNIT_PX // 2)
-        top = in_column(heading, fields.head, margins=sides, gap_px=UNIT_PX // 4)
+        top = in_column(self._heading, fields.head, margins=sides, gap_px=UNIT_PX // 4)
         margins = (0, UNIT_PX // 4, 0, 0)
         in_column(top, (scroll, 1), of=self._editor, margins=margins, gap_px=UNIT_PX // 4)
         self._empty = page_label("inspector_empty", tone="dim", centred=True)
@@ -558,7 +563,6 @@ class InspectorPanel(Panel):
         )
         self._mute.setChecked(all(each.muted for each in batch))
         self._solo.setChecked(all(each.solo for each in batch))
-        self._draw.setEnabled(clip is not None)
         self._fields.meaning.show_scaling(self._design)
         self._fields.show_limb(limb)
         self._show_strength(track)

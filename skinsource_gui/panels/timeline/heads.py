@@ -106,18 +106,22 @@ class Head:
         Whether the track is muted, or another one is solo.
     played
         What the track plays before its amplitude; None: it is not known.
+    peaks_at_amplitude
+        Whether the amplitude is the peak of the track, whatever it plays.
     """
 
     track: Input
     silent: bool
     played: Floats | None
+    peaks_at_amplitude: bool = False
 
     @property
     def peak(self) -> float | None:
         """The largest value that the track plays, between samples too, with its amplitude."""
         if self.played is None:
             return None
-        return abs(self.track.amplitude) * peak_of(self.played)
+        peak = peak_of(self.played)
+        return abs(self.track.amplitude) * (peak > 0.0 if self.peaks_at_amplitude else peak)
 
     def level_text(self, decimals: int = 1) -> str:
         """Return the level of the amplitude in a few letters, dB: ``"−6.0"``, ``"+12.3"``."""
@@ -142,8 +146,8 @@ def text_of(head: Head, design: Design, view: View) -> str:
     if clip is not None:
         length = duration_text(clip.duration_s)
         played = f"{clip_text(clip)} · {length}{clips_text(len(track.clips))}"
-    gain, unit = f"{AMPLITUDE_GAIN.label} {track.amplitude:g}", amplitude_unit(design)
-    level = gain if is_gain(design, track) else f"{track.amplitude:g} {unit}"
+    gain, unit = f"{AMPLITUDE_GAIN.label} {track.amplitude:zg}", amplitude_unit(design)
+    level = gain if is_gain(design, track) else f"{track.amplitude:zg} {unit}"
     level += f" ({level_text(track.amplitude)})"
     if (peak := head.peak) is not None:
         level += f", peak {peak:.3g} {unit}"
@@ -172,15 +176,19 @@ class HeadsModel(QAbstractListModel):
             self.beginResetModel()
         self._design, self._view = design, view
         self.heads = [
-            Head(track=track, silent=track.id not in audible, played=played.get(track.id))
+            Head(
+                track=track,
+                silent=track.id not in audible,
+                played=played.get(track.id),
+                peaks_at_amplitude=design.scaling == "upstream",
+            )
             for track in design.inputs
         ]
         if not same:
             self.endResetModel()
             return
         for row, (old, new) in enumerate(zip(before, self.heads, strict=True)):
-            known = new.track is old.track and new.played is old.played
-            if not (known and new.silent == old.silent) and new.painted != old.painted:
+            if new.painted != old.painted:
                 index = self.createIndex(row, 0)
                 self.dataChanged.emit(index, index)
 
@@ -279,14 +287,18 @@ class LevelField(NumberField):
         return number_text(round(20.0 * log10(size), 2), "dB") if size else "−∞"
 
     def commit(self) -> bool:
-        self.is_level = _unit_of(self.text()) in ("", "db", "∞")
+        self.is_level = _unit_of(self.text()) in ("", "db", *_SILENT)
         return super().commit()
 
     def _read(self, text: str) -> float:
         unit = _unit_of(text)
-        if unit == "∞":
+        if unit in _SILENT:
             return 0.0
         return parse_level(text if unit else f"{text} dB", self.spec, self.value_si)
+
+
+# What is typed for the level of silence.
+_SILENT = "∞", "∞ db", "inf", "inf db"
 
 
 def _unit_of(text: str) -> str:

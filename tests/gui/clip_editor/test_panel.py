@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton
+from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QToolButton
 
 from skinsource import Clip, Design, Input, View, track
 from skinsource.design.effects import Fade, Reverse, Stretch, Trim, played
@@ -262,7 +262,7 @@ def test_the_clip_panel_leads_to_the_pen_and_so_does_the_action(open_window, qtb
     window = open_window(Design(limb="synthetic-1", inputs=(track(7, Drawn()),)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
-    button = window.panel("inspector").findChild(QToolButton, "draw_button")
+    button = window.panel("inspector").findChild(QPushButton, "draw_button")
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     editor = window.panel("clip_editor")
     assert editor.isVisible()

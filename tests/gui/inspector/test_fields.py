@@ -354,22 +354,32 @@ def test_mute_and_solo_are_buttons_of_the_track(bench):
     assert [label.split(" input")[0] for label in bench.labels[1::2]] == ["Unmute", "End solo of"]
 
 
-def test_a_recording_has_a_button_that_asks_for_its_file(bench):
+@pytest.mark.parametrize(
+    ("waveform", "name", "text", "action"),
+    [
+        (Recording(), "recording_button", "Choose file…", "import_recording"),
+        (Drawn(), "draw_button", "Draw…", "draw_clip"),
+    ],
+    ids=["recording", "drawn"],
+)
+def test_what_plays_samples_has_a_button_for_where_they_come_from(
+    bench, waveform, name, text, action
+):
     actions = []
     bench.panel.action_requested.connect(actions.append)
-    assert bench.panel.findChild(QPushButton, "recording_button") is None
-    bench.show(bench.design.with_clip(1, waveform=Recording()))
-    button = bench.panel.findChild(QPushButton, "recording_button")
-    assert button.text() == "Choose file…"
+    assert bench.panel.findChild(QPushButton, name) is None
+    bench.show(bench.design.with_clip(1, waveform=waveform))
+    button = bench.panel.findChild(QPushButton, name)
+    assert button.text() == text
     button.click()
-    assert actions == ["import_recording"]
+    assert actions == [action]
+    assert bench.view.selected_clips == (1,)
 
 
 def test_tab_leads_through_the_fields_in_reading_order(bench):
     bench.show(bench.design.with_clip(1, waveform=Noise()))
     stops = [stop.objectName() for stop in tab_stops(bench.panel, ())]
     assert stops == [
-        "draw_button",
         "location_field",
         "amplitude_field",
         "scaling",

@@ -12,6 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QToolTip
 
 from skinsource import Design, View
+from skinsource.design.amplitudes import amplitude_text
 from skinsource.design.waveforms.samples import Recording
 from skinsource.specs.samples import Samples
 from skinsource_gui.fields.inputs import FieldChanges
@@ -104,6 +105,17 @@ def test_the_tooltip_says_amplitude_and_peak_and_a_gain_where_a_recording_keeps_
     bench.show(bench.design.with_input(0, clips=(clip,)))
     bench.panel.show_results(clip_results(bench.design))
     assert "Input gain -0.5 (\u22126.02 dB), peak 2.44 m/s²" in tip_of(bench, 0)
+
+
+def test_where_an_amplitude_is_a_peak_on_the_skin_a_gain_curve_leaves_meter_and_tooltip(bench):
+    results = clip_results(bench.design)
+    softer = tuple(0.5 * played for played in results["input_waveforms"])
+    bench.panel.show_results(results | {"input_waveforms": softer})
+    meter = bench.rows.places(0).meter.toRect()
+    before = bench.rows.grab(meter).toImage()
+    bench.show(replace(bench.design, scaling="upstream"))
+    assert "1 m/s² (0 dB), peak 1 m/s²" in tip_of(bench, 0)
+    assert bench.rows.grab(meter).toImage() != before
 
 
 def test_the_tooltip_of_several_selected_heads_says_that_buttons_change_all(bench):
@@ -337,6 +349,7 @@ def test_an_amplitude_is_typed_for_its_row_or_for_all_selected_ones(bench):
         ("−6", [0.501187, -0.501187]),
         ("-6.02", [1.0, -0.5]),
         ("−∞", [0.0, 0.0]),
+        ("-inf dB", [0.0, 0.0]),
         ("-2 m/s^2", [-2.0, -2.0]),
         ("1", [1.122018, -1.122018]),
     ],
@@ -352,6 +365,17 @@ def test_the_level_that_is_shown_is_typed_and_leaves_the_polarity(bench, typed, 
     assert ["Polarity inverted" in tip_of(bench, k) for k in (0, 1)] == [
         value < 0 for value in amplitudes(bench)[:2]
     ]
+
+
+def test_an_inverted_track_that_is_silent_has_an_amplitude_of_0_in_words(bench):
+    bench.show(bench.design.with_input(0, amplitude=-0.5), selected_inputs=(1,))
+    drag_fader(bench, 0, -200)
+    assert "0 m/s² (silent)" in tip_of(bench, 0).split("\n")
+    assert amplitude_text(bench.design, bench.design.inputs[0]) == "0 m/s²"
+    # The fader has kept its polarity.
+    bench.rows.setFocus()
+    bench.key(KEY.Key_Right)
+    assert amplitudes(bench)[0] < 0
 
 
 def test_the_list_follows_the_selection_from_elsewhere(qtbot):

@@ -150,7 +150,7 @@ def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refus
     >>> print(len(edit.design.clips))
     1
     """
-    return _without_clips(design, view, ids, "Remove")
+    return _without_clips(design, view, ids, "Remove", "removed")
 
 
 @refusing
@@ -431,7 +431,7 @@ def _onset(time_s: float) -> float:
     return min(max(short(time_s), ONSET.minimum), ONSET.maximum)
 
 
-def _without_clips(design: Design, view: View, ids: Iterable[int], verb: str) -> Edit:
+def _without_clips(design: Design, view: View, ids: Iterable[int], verb: str, done: str) -> Edit:
     removed = chosen_clips(design, ids)
     gone = {clip.id for clip in removed}
     left = with_clips(design, lambda track: [clip for clip in track.clips if clip.id not in gone])
@@ -439,6 +439,7 @@ def _without_clips(design: Design, view: View, ids: Iterable[int], verb: str) ->
         label=f"{verb} {clips_text(design, removed)}",
         design=left,
         view=replace(view, selected_clips=()),
+        said=f"{counted(len(removed), 'clip')} {done}.",
     )
 
 
@@ -526,7 +527,7 @@ def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     >>> print(edit.label)
     Cut clip at 7 (II pad)
     """
-    return _without_clips(design, view, ids, "Cut")
+    return _without_clips(design, view, ids, "Cut", "cut")
 
 
 @refusing

@@ -205,7 +205,13 @@ class Layers(fields.CheckedModel, models.Nesting):
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,); its peak follows from the parts."""
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        parts = [self._placed(part, n, sample_rate_hz, shift_s) for part in self._in_order()]
+        placed = [(part.gain, *part.sampled(sample_rate_hz, shift_s)) for part in self._in_order()]
+        # Backwards, the first sample comes at the very end.
+        n = max([n, *(first + samples.size for _, first, samples in placed)])
+        parts = [
+            gain * np.pad(samples, (first, n - first - samples.size))
+            for gain, first, samples in placed
+        ]
         if not parts:
             return np.zeros(n)
         combine = np.multiply if self.mode == "product" else np.add
@@ -217,10 +223,3 @@ class Layers(fields.CheckedModel, models.Nesting):
             (part for part in self.parts if not part.muted),
             key=lambda part: (part.onset_s, part.gain, repr(part)),
         )
-
-    def _placed(self, part: Clip, n: int, sample_rate_hz: float, shift_s: float) -> Floats:
-        first, samples = part.sampled(sample_rate_hz, shift_s)
-        aligned = np.zeros(n)
-        within = samples[: max(n - first, 0)]
-        aligned[first : first + within.size] = part.gain * within
-        return aligned
