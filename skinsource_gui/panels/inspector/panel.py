@@ -87,7 +87,8 @@ from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
 # Where samples come from: name of the button, label, text, hint and action.
-_SOURCES: dict[type[Waveform], tuple[str, str, str, str, str]] = {
+_Source = tuple[str, str, str, str, str]
+_SOURCES: dict[type, _Source] = {
     Recording: (
         *("recording_button", "File", "Choose file…"),
         *("Import a recording, in place of these samples or beside them", "import_recording"),
@@ -96,9 +97,9 @@ _SOURCES: dict[type[Waveform], tuple[str, str, str, str, str]] = {
 }
 
 
-def _source_cell(kind: type[Waveform], wanted: SignalInstance) -> LabelledCell:
-    """Return a cell with a button for where the samples of a waveform come from."""
-    name, label, text, hint, action = _SOURCES[kind]
+def _source_cell(source: _Source, wanted: SignalInstance) -> LabelledCell:
+    """Return a cell with a button for where samples come from."""
+    name, label, text, hint, action = source
     cell = LabelledCell(label)
     button = named(QtWidgets.QPushButton(text, cell), name, hint=tooltip(hint))
     button.setMinimumHeight(LABEL_PX)
@@ -344,8 +345,8 @@ class InputFields(QObject):
                 cells.append(cell)
         if waveform and fixed_length_text(waveform):
             self._duration = TextCell("Duration", fixed_length_text(waveform))
-        if type(waveform) in _SOURCES:
-            cells.append(_source_cell(type(waveform), self.source_requested))
+        if source := _SOURCES.get(type(waveform)):
+            cells.append(_source_cell(source, self.source_requested))
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
         discard(old, self.kind.field)
