@@ -218,3 +218,11 @@ def test_a_change_of_snapshots_is_taken_back_and_what_was_stored_since_stays(
     before, after, present, expected
 ):
     assert comparing.restored_snapshots(before, after, present) == expected
+
+
+def test_the_frequency_of_a_design_is_that_of_the_clips_that_play():
+    low = track(7, Tone(frequency_hz=50.0))
+    muted_clip = replace(low, clips=(replace(low.clips[0], muted=True),))
+    muted = muted_clip, replace(low, muted=True)
+    design = Design(limb="synthetic-1", inputs=(*muted, track(8, Tone(frequency_hz=100.0))))
+    assert comparing.frequency_of(design) == 100.0

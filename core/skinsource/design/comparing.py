@@ -17,7 +17,7 @@ from skinsource.base.conventions import N_OUTPUTS, Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
-from skinsource.design.design import EDITED, Design, Snapshot, shown_snapshot
+from skinsource.design.design import EDITED, Design, Snapshot, played_clips, shown_snapshot
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import DIGITS, OUTPUTS
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
@@ -259,8 +259,8 @@ def at_frequency(design: Design, frequency_hz: float) -> Design:
 
 
 def frequency_of(design: Design) -> float | None:
-    """Return the frequency that all clips with one share, Hz; infinity: they differ, None: none."""
-    known = {getattr(clip.waveform, "frequency_hz", None) for clip in design.clips} - {None}
+    """Return the one frequency of the clips that play, Hz; infinity: they differ, None: none."""
+    known = {getattr(clip.waveform, "frequency_hz", None) for clip in played_clips(design)} - {None}
     return math.inf if len(known) > 1 else next(iter(known), None)
 
 

@@ -342,6 +342,12 @@ def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
     return tuple([inputs[index] for index in audible_indices(inputs)])
 
 
+def played_clips(design: Design) -> list[Clip]:
+    """Return the clips that are heard."""
+    tracks = audible_inputs(design.inputs)
+    return [clip for track in tracks for clip in track.clips if not clip.muted]
+
+
 #: Numbers of outputs, or ids of inputs or clips.
 Numbers = tuple[int, ...]
 #: The value of one field of a panel's settings.

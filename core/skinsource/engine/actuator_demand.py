@@ -1,6 +1,7 @@
 """The demand of a design on an actuator: volts, current and travel."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -24,6 +25,13 @@ def listed_name(actuator: ActuatorAt) -> str | None:
         if same_kind and actuator.actuator in (name, profile(name).title):
             return name
     return None
+
+
+def actuator_at(actuation: Actuation, place: int | None) -> ActuatorAt:
+    """Return the actuator at a place; the first one where there is none, or no place."""
+    with suppress(InvalidInputError):
+        return actuation.at(place or 0)
+    return actuation.actuators[0]
 
 
 def profile_of(actuator: ActuatorAt) -> ActuatorProfile:

@@ -1,7 +1,6 @@
 """Rules for the panels of analysis: actuators, noise, single axes, outputs, sensation and more."""
 
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from typing import Any
@@ -11,13 +10,13 @@ import numpy as np
 import scipy
 
 from skinsource.actuators.actuation import Actuation, ActuatorProfile, transfers_of
+from skinsource.actuators.rigs import Rig, limits_of
 from skinsource.base.conventions import Band, Floats
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
 from skinsource.design.panel_settings import SpectrogramSettings
 from skinsource.design.signal_path import Drive, UnplayableInput, Voice, unplayable_text
 from skinsource.engine import level_rules
-from skinsource.engine.actuator_demand import Demand, demand_of, profile_of
+from skinsource.engine.actuator_demand import Demand, actuator_at, demand_of, profile_of
 from skinsource.engine.gains import Placed, Responses
 from skinsource.engine.moments import Moments, Projection
 from skinsource.engine.spectra import TotalSpectrum
@@ -74,15 +73,15 @@ from skinsource.signals.resampling import peaks_between
 
 
 def actuator_looked_at(
-    chosen_actuation: Actuation | None, voices: tuple[Voice, ...], selected_input: int | None
+    chosen_actuation: Actuation | None, rig: Rig | None, actuator_demand: Demand
 ) -> ActuatorProfile | None:
-    """The actuator at the place of the selected input, else the first one; None: none is chosen."""
+    """The actuator of the demand, with the limits that it has in the rig; None: none is chosen."""
     if chosen_actuation is None:
         return None
-    place = next((voice.location for voice in voices if voice.id == selected_input), None)
-    with suppress(InvalidInputError):
-        return profile_of(chosen_actuation.at(0 if place is None else place))
-    return profile_of(chosen_actuation.actuators[0])
+    place = actuator_demand.place
+    shown = profile_of(actuator_at(chosen_actuation, place))
+    channel = None if rig is None or place is None else rig.channel_of(place)
+    return shown if channel is None else replace(shown, limits=limits_of(channel))
 
 
 def actuator_demand(

@@ -10,7 +10,7 @@ import scipy
 from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.decibels import decibels
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, View, audible_inputs
+from skinsource.design.design import Design, View, audible_inputs, played_clips
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.engine.time_rules import Moving
@@ -244,12 +244,6 @@ def _passing(design: Design, moving: Moving) -> Loop:
         duration_s=max(end_s - begin_s, _BEFORE_S),
         fastest_hz=_fastest_hz(moving),
     )
-
-
-def played_clips(design: Design) -> list[Clip]:
-    """Return the clips that are heard."""
-    tracks = audible_inputs(design.inputs)
-    return [clip for track in tracks for clip in track.clips if not clip.muted]
 
 
 def first_onset_s(design: Design) -> float:

@@ -151,6 +151,7 @@ def sources(
         "scaling": design.scaling,
         "actuation": design.actuated,
         "chosen_actuation": design.actuation,
+        "rig": design.rig,
         "match_gain": match_gain,
         "leave_out_unplayable": leave_out_unplayable,
         "axes": view.axes,

@@ -691,7 +691,8 @@ def traces(
     Raises
     ------
     InvalidInputError
-        There is nothing to draw, or the limb does not have such outputs.
+        There is nothing to draw, the limb does not have such outputs, or limbs were not sampled at
+        the same times.
     MissingExtraError
         matplotlib is not installed.
 
@@ -703,6 +704,13 @@ def traces(
     >>> figure = ss.plot.traces(design, outputs=(19, 29))
     """
     designs, view = _designs(shown, labels), _checked_view(view, outputs)
+    limbs = [facts_of(design.limb) for design in designs]
+    removed_s = {limb.pre_trigger_delay_s if view.delay_removed else 0.0 for limb in limbs}
+    if max(len(removed_s), len({limb.sample_rate_hz for limb in limbs})) > 1:
+        raise InvalidInputError(
+            "the limbs differ in sample rate or pre-trigger delay, so their samples lie at other "
+            "times; draw each in axes of its own"
+        )
     results = [evaluate(design, *_TRACE_QUANTITIES, view=view) for design in designs]
     time_s, curves = _waves(results, view.time_range_s)
     rows = _rows(1e3 * time_s, curves, view.outputs, normalised)

@@ -28,7 +28,7 @@ from skinsource.base.files import path_text
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.run_limited import run_limited
 from skinsource.design.comparing import same_but_rounding
-from skinsource.design.design import Design, Input, View, audible_inputs, louder
+from skinsource.design.design import Design, Input, View, audible_inputs, louder, played_clips
 from skinsource.design.labels import AXES, label_of, limb_label
 from skinsource.design.waveforms import Tone
 from skinsource.engine.analysis_rules import place_noise
@@ -851,11 +851,9 @@ def _smallest(values: Floats) -> float:
 
 def _played_frequency(design: Design) -> float | None:
     """Return the frequency of the tones that are played; None where anything else is."""
-    clips = [clip for track in audible_inputs(design.inputs) for clip in track.clips]
     frequencies_hz = {
         clip.waveform.frequency_hz if isinstance(clip.waveform, Tone) and not clip.effects else None
-        for clip in clips
-        if not clip.muted
+        for clip in played_clips(design)
     }
     return frequencies_hz.pop() if len(frequencies_hz) == 1 else None
 

@@ -697,7 +697,7 @@ class OfWindows(Kind):
     moves: ClassVar[bool] = False
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
-        common = {name: results[name] for name in _COMMON}
+        common = {name: results[name] for name in (*_COMMON, "windows")}
         snapshot, sides = Snapshot(design=design), []
         noise = results["noise_rms_of_windows"]
         bounds_s = results["windows"].bounds_s(results["sample_rate_hz"])
@@ -724,8 +724,10 @@ class OfWindows(Kind):
         return "in windows"
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
-        text = super().about(compared, design, view)
-        return f"{text} · mean distance from the nearest input"
+        text, n_shown = super().about(compared, design, view), len(compared)
+        count = max((side.values["windows"].count for side in compared if side.values), default=0)
+        part = f"the first {n_shown} of {count}" if count > n_shown else ""
+        return " · ".join(filter(None, (text, part, "mean distance from the nearest input")))
 
 
 class OfFrequencies(Kind):

@@ -13,6 +13,7 @@ from skinsource.engine.loops import (
     SHOWN_HZ,
     Loop,
     common_turns,
+    first_onset_s,
     is_sequence,
     loop_of,
     moving_axis,
@@ -254,6 +255,10 @@ class MovingMaps:
         if known is None or side.values is None:
             return cell
         loop, gain = known
+        moving = loop.moving
+        if loop.largest and not moving.signals.any():
+            # Of a long response a part is held, in which this one does not move.
+            away_s = first_onset_s(design) - moving.first / moving.sample_rate_hz
         value, matched = f"{rounded(loop.largest * gain)} m/s²", gain_text(gain)
         whole = f"up to {value}{f' after matching, {matched}' if matched else ''}"
         short = (f"{value}, matched {matched}", f"matched {matched}") if matched else (value,)

@@ -775,6 +775,9 @@ class StagePanel(MapsPanel):
                 axes, matched = axes_text(facts_of(limb).axes), of.partition(",")[1:]
                 of = f"acceleration along {axes} together{''.join(matched)}"
             text = f"{low_hz:g} Hz · height: {of}, {_SPECTRUM_DB:g} dB in all"
+            if held := next((loop.moving for loop in loops if not loop.moving.is_whole), None):
+                first_s, last_s = held.first / held.sample_rate_hz, held.end / held.sample_rate_hz
+                text = f"{text}, of {first_s:.3g} to {last_s:.3g} s"
             words = (where, text, f"{high_hz:g} Hz")
             self.strip.ticks = readable_ticks(low_hz, 0.99 * high_hz, 7.0, 7.0)
         else:

@@ -29,7 +29,7 @@ from skinsource.design.display_units import value_text
 from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import repair_for_actuators
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.engine.actuator_demand import Demand, listed_name, profile_of
+from skinsource.engine.actuator_demand import Demand, actuator_at, listed_name, profile_of
 from skinsource.lab.playing.devices import (
     LEAST_SHIFT_HZ,
     LONGEST_LATENCY_S,
@@ -514,8 +514,8 @@ _LEAST = QSize(240, 160)
 class OutputPanel(Panel):
     """Actuator, equaliser, rig and device, and what is sent to the actuators.
 
-    Figures are those of the place of the selected input.  Actuator, equaliser and rig belong to the
-    design, the device to this machine.
+    Figures and response are those of the place of the selected input.  Actuator, equaliser and rig
+    belong to the design, the device to this machine.
     """
 
     title: ClassVar[str] = "Output"
@@ -528,6 +528,7 @@ class OutputPanel(Panel):
         super().__init__(parent)
         self._settings, self._played = OutputSettings(), Played()
         self._drawn: object = None
+        self._place: int | None = None
         self.choices = ActuatorChoices(self)
         self.choices.changed.connect(self._choose)
         self.choices.open.clicked.connect(partial(self.action_requested.emit, "open_response"))
@@ -581,8 +582,9 @@ class OutputPanel(Panel):
             self.show_played(self._played)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._show_settings()
         demand: Demand = results["actuator_demand"]
+        self._place = demand.place
+        self._show_settings()
         edit = self._mending() if demand.leaves_velocity else None
         self.figures.show_demand(
             demand,
@@ -650,7 +652,7 @@ class OutputPanel(Panel):
     def _show_settings(self) -> None:
         design, settings = self._design, self._settings
         actuation, band = design.actuation, _band_of(design.limb)
-        drawn = actuation, settings, band
+        drawn = actuation, settings, band, self._place
         if drawn == self._drawn:
             return
         self._drawn = drawn
@@ -669,7 +671,7 @@ class OutputPanel(Panel):
         design = self._design
         if design.actuation is None or not self._settings.more:
             return
-        band, actuator = _band_of(design.limb), design.actuation.actuators[0]
+        band, actuator = _band_of(design.limb), actuator_at(design.actuation, self._place)
         name, model = listed_name(actuator), actuator.model
         before = None if name is None else load(name)
         curves = response_curves(model, before, design.actuation.equaliser, band)

@@ -12,11 +12,11 @@ from PySide6.QtCore import QSizeF
 from skinsource.base.conventions import axes_text
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.design.design import Design, View
+from skinsource.design.design import Design, View, played_clips
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.evaluation import evaluate
-from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, loop_of, played_clips
+from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, loop_of
 from skinsource.engine.time_rules import block_of
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.video import frames_per_s, video_file

@@ -113,6 +113,13 @@ def test_without_a_device_it_runs_in_silence_and_says_why(monkeypatch, session):
         session.tone(1, Output(), 0.0)
 
 
+def test_the_playhead_goes_on_while_actuators_ring(session):
+    coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
+    design = replace(ONE, actuation=ss.Actuation(actuators=(coil,)))
+    time_s = ss.evaluate(design, "response_time_s")["response_time_s"]
+    assert session.animate(design, ss.View(), loops=False).visible_s > time_s[-1]
+
+
 def test_a_device_that_does_not_begin_is_let_go(sound, session):
     sound.busy = SyntheticStream
     with pytest.raises(PlaybackError, match="Two is not free"):

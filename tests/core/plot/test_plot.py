@@ -16,6 +16,7 @@ from skinsource.base.errors import InvalidInputError, MissingExtraError
 from skinsource.base.extras import extra_line
 from skinsource.export.plot import common_range, draw_map, levels_of
 from skinsource.signals.resampling import FINER
+from tests.core.own_limbs.lab_bench import installed
 
 DESIGN = ss.Design(
     limb="synthetic-1",
@@ -96,6 +97,17 @@ def test_designs_with_and_without_actuators_are_drawn_at_the_same_times():
     figure = ss.plot.traces([plain_design, equalised], outputs=(30,))
     plain, through = (line.get_ydata() for line in figure.axes[0].get_lines()[-2:])
     assert np.corrcoef(plain, through)[0, 1] > 0.99
+
+
+def test_limbs_that_were_not_sampled_at_the_same_times_are_not_drawn_over_each_other(user_data):
+    installed(sample_rate_hz=1300.0)
+    pair, shifted = [DESIGN, replace(DESIGN, limb="lab-1")], ss.View(axes="z", delay_removed=True)
+    assert ss.plot.traces(pair, view=replace(shifted, delay_removed=False), outputs=(30,))
+    with pytest.raises(InvalidInputError, match="pre-trigger delay, so their samples lie at other"):
+        ss.plot.traces(pair, view=shifted, outputs=(30,))
+    installed(sample_rate_hz=1000.0)
+    with pytest.raises(InvalidInputError, match="differ in sample rate"):
+        ss.plot.traces(pair, view=ss.View(axes="z"), outputs=(30,))
 
 
 def test_several_designs_lie_over_each_other_with_a_legend():

@@ -473,6 +473,12 @@ def test_each_time_window_hatches_its_own_noise_and_says_what_its_levels_are_ove
     assert about.startswith("RMS of x, y, z, principal axis in windows · mean distance")
 
 
+def test_of_more_windows_than_are_seen_it_says_that_these_are_the_first(qapp):
+    kind, view = KINDS["windows"], View(windows_cut="count", window_count=9)
+    sides = kind.sides(DESIGN, evaluate(DESIGN, *kind.needs, view=view))
+    assert "in windows · the first 6 of 9 · mean distance" in kind.about(sides, DESIGN, view)
+
+
 def of_windows(results):
     kind = KINDS["windows"]
     sides = kind.sides(DESIGN, results)

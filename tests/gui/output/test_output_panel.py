@@ -71,6 +71,27 @@ def test_figures_follow_edits_and_settings_and_are_red_beyond_a_limit(window, pa
     assert "beyond its limit" in panel.figures.table.accessibleDescription()
 
 
+def test_figures_and_response_are_of_one_place_with_its_limits_in_the_rig(window, panel, qtbot):
+    tones = bench.TONE, replace(bench.TONE, location=3, id=0)
+    channels = [
+        ss.rigs.RigChannel(place=place, output=place, actuator=name, limits=limits)
+        for place, name, limits in (
+            (3, "example-piezo", ss.actuators.Limits(peak_voltage_v=3.0)),
+            (7, "example-voice-coil", ss.actuators.Limits(peak_voltage_v=0.5)),
+        )
+    ]
+    rig = ss.rigs.Rig(channels=channels)
+    wired = edits.choose_rig(bench.design_of(*tones), View(), rig).design
+    window.document.edit("Wired", wired)
+    for id, channel, volts in zip(wired.ids, channels[::-1], ("0.5 V", "3 V"), strict=True):
+        window.document.look(replace(window.document.view, selected_inputs=(id,)))
+        bench.settle(window)
+        assert bench.figures(panel)["Peak voltage"].limit == volts
+        model = ss.actuators.load(channel.actuator)
+        drawn = response_curves(model, model, wired.actuation.equaliser, BAND_HZ)
+        np.testing.assert_array_equal(panel.plot.plot.curves.y, drawn.y)
+
+
 def test_curves_show_actuator_filter_and_both_and_the_published_one(window, panel, qtbot):
     curves = panel.plot.plot.curves
     assert [name.short for name in curves.names] == ["Actuator", "Filter", "Equalised"]

@@ -624,6 +624,16 @@ def test_a_map_that_moves_outside_of_the_part_says_it(stage, qtbot):
     assert "this part" not in cells[1 - k].value_text(None)
 
 
+def test_what_is_held_of_a_long_design_is_said(stage, qtbot):
+    document = stage.window().document
+    tone, late = document.design, document.design.with_clip(1, onset_s=30.0)
+    document.look(replace(document.view, snapshots=stored([tone, late])))
+    show(stage.window(), StageSettings(compared=True, plot="spectra"), of="snapshots")
+    _, cell = complete(stage, qtbot, 2)
+    assert "moves after this part" in cell.value_text(None)
+    assert stage.strip._words[1].endswith("60 dB in all, of 0 to 25 s")
+
+
 def test_maps_beside_each_other_have_one_clock_also_where_some_are_steady(stage, qtbot):
     document = stage.window().document
     tones = [ss.waveforms.Tone(frequency_hz=hz, duration_s=0.2) for hz in (100.0, 50.0, 250.0)]

@@ -23,6 +23,7 @@ from skinsource.base.errors import (
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.design.amplitudes import equaliser_of
 from skinsource.design.design import Design, View
+from skinsource.engine.evaluation import evaluate
 from skinsource.engine.loops import animation_of
 from skinsource.engine.stimulus import Stimulus, for_rig, stimulus_of, through_actuators
 from skinsource.lab.playing.devices import (
@@ -404,13 +405,14 @@ def mix_for(
 def response_end_s(design: Design, duration_s: float) -> float:
     """Return when the skin comes to rest after a stimulus of ``duration_s``: one response later.
 
-    Where the limb is not installed there is no response, and it is the end of the stimulus.
+    Where the limb is not installed, or its actuators cannot be predicted through, there is no
+    response, and it is the end of the stimulus.
     """
     try:
-        limb = load_limb(design.limb)
+        limb = evaluate(design, "driven_limb")["driven_limb"]
     except SkinSourceError:
         return duration_s
-    return duration_s + limb.n_taps / limb.sample_rate_hz
+    return duration_s + (limb.n_taps - limb.lead_samples) / float(limb.sample_rate_hz)
 
 
 def _check_rig_device(rig: Rig | None, device: Device) -> None:
