@@ -33,7 +33,7 @@ from skinsource.specs.spec import ChoiceSpec, Spec, SwitchSpec, TextSpec, made_f
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.editor import MIXED, Editor
-from skinsource_gui.fields.grid import EditedCell
+from skinsource_gui.fields.grid import EditedCell, label_of
 from skinsource_gui.fields.kinds import KindField
 from skinsource_gui.fields.number_field import NumberField, outside_band_text
 from skinsource_gui.fields.parts import PartsEditor
@@ -193,7 +193,7 @@ class NumbersEditor(ListEditor):
         self.sweep = tool_button(self, "sweep", "Sweep…", hint)
         self.sweep.clicked.connect(self._ask_sweep)
         # The line has the whole width.
-        self.label = QtWidgets.QLabel(spec.label)
+        self.label = QtWidgets.QLabel(label_of(spec))
         self.column.insertLayout(0, in_row((self.label, 1), self.sweep, margins=0, gap_px=4))
 
     def advice(self) -> str:

@@ -6,6 +6,7 @@ from itertools import pairwise
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
 
+from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
 from skinsource_gui.qt.buttons import page_label, show_or_hide
@@ -82,6 +83,13 @@ class TextCell(LabelledCell):
         self.stack.addWidget(self.text_label)
 
 
+def label_of(spec: Spec) -> str:
+    """Return the label of a field: that of a list of numbers has their unit."""
+    of = spec.of if isinstance(spec, ListSpec) else None
+    unit = of.unit if isinstance(of, NumberSpec) else ""
+    return f"{spec.label} ({unit})" if unit else spec.label
+
+
 class EditedCell(LabelledCell):
     """A cell for a field of a model that ``spec`` describes.
 
@@ -95,8 +103,8 @@ class EditedCell(LabelledCell):
     edited = Signal(str, object, object)
 
     def __init__(self, name: str, spec: Spec, new_editor: NewEditor) -> None:
-        super().__init__(spec.label)
-        self.name, self._label_text = name, spec.label
+        super().__init__(label_of(spec))
+        self.name, self._label_text = name, label_of(spec)
         self._value: object = None
         self._warns = self._mixed = False
         self._problem, self._reason = "", ""
@@ -125,9 +133,9 @@ class EditedCell(LabelledCell):
     def set_spec(self, spec: Spec) -> None:
         """Change unit, range or label."""
         self.field.set_spec(spec)
-        if spec.label != self._label_text:
-            self._label_text = spec.label
-            self.label.setText(spec.label)
+        if label_of(spec) != self._label_text:
+            self._label_text = label_of(spec)
+            self.label.setText(self._label_text)
 
     def set_value(self, value: object) -> None:
         """Show a value without a signal."""

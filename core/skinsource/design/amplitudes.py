@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.equalising import Equaliser
+from skinsource.actuators.equalising import Equaliser, PolePairReplacement
 from skinsource.base.errors import InvalidInputError, lowered
 from skinsource.design.clips import Clip
 from skinsource.design.design import AMPLITUDE, Design, Input
@@ -177,6 +177,9 @@ def _through(actuated: Actuation) -> tuple[str, str]:
     """Return what an amplitude is at an actuator, and where."""
     if actuated.equaliser is None:
         return "Voltage", "at the actuator"
+    if isinstance(actuated.equaliser, PolePairReplacement):
+        # More at some frequencies, less at others.
+        return "Acceleration at the contactor,", "in the mean of the band"
     return "Acceleration", "at the contactor"
 
 

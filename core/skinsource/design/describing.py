@@ -90,15 +90,28 @@ def path_hz(waveform: Waveform) -> tuple[float, ...]:
             return tuple(getattr(waveform, name) for name in ends)
     for name, spec in specs.items():
         if isinstance(spec, ListSpec) and isinstance(spec.of, NumberSpec):
-            values: tuple[float, ...] = getattr(waveform, name)
-            return values[:: max(len(values) - 1, 1)]
+            return _turns(getattr(waveform, name))
         if isinstance(spec, PointsSpec):
             at = next((k for k, column in enumerate(spec.columns) if column.unit == "Hz"), None)
             if at is not None:
                 path = [point[at] for point in getattr(waveform, name)]
-                turns = tuple(hz for k, hz in enumerate(path) if k == 0 or hz != path[k - 1])
-                return turns if len(turns) <= _MOST_FREQUENCIES else (min(turns), max(turns))
+                return _few(_changes(path))
     return ()
+
+
+def _changes(path: Sequence[float]) -> list[float]:
+    return [hz for k, hz in enumerate(path) if k == 0 or hz != path[k - 1]]
+
+
+def _few(path: Sequence[float]) -> tuple[float, ...]:
+    return tuple(path) if len(path) <= _MOST_FREQUENCIES else (min(path), max(path))
+
+
+def _turns(path: Sequence[float]) -> tuple[float, ...]:
+    """Return both ends of a path, and where it turns back between them."""
+    hz = _changes(path)
+    inside = [b for a, b, c in zip(hz, hz[1:], hz[2:], strict=False) if (a < b) != (b < c)]
+    return _few([*hz[:1], *inside, *hz[1:][-1:]])
 
 
 def effects_hz(effects: Sequence[Effect], waveform: Waveform) -> tuple[float, ...]:

@@ -504,7 +504,6 @@ def _about_text(actuator: ActuatorAt) -> str:
 _THROUGH = "Predict through the actuator"
 _THROUGH_HINT = "Show all levels, maps and traces through this actuator"
 _AS_FAR = ", as far as the equaliser reaches"
-_IN_THE_MEAN = ", in the mean from {:g} to {:g} Hz"
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _PLOT_PX = 190
@@ -682,10 +681,8 @@ class OutputPanel(Panel):
         self.through.setChecked(actuated is not None)
         self.through.setEnabled(design.actuation is not None)
         self.through.setToolTip(_THROUGH_HINT if design.actuation else "Choose an actuator")
-        equaliser = None if actuated is None else actuated.equaliser
-        reach = "" if equaliser is None else _AS_FAR
-        if isinstance(equaliser, PolePairReplacement):
-            reach = _IN_THE_MEAN.format(*_band_of(design.limb))
+        inverted = actuated and isinstance(actuated.equaliser, RegularisedInverse)
+        reach = _AS_FAR if inverted else ""
         meaning = f"{amplitude_unit(design)} {amplitude_in_short(design)}{reach}"
         self.through_text.setText(f"Amplitude 1 = 1 {meaning}.")
         self.through_text.setVisible(actuated is not None)

@@ -147,6 +147,9 @@ def test_the_methods_text_says_what_is_played():
     assert "Tone 100 Hz, 400 ms gain 0.92 through stretch ×2, 1 m/s², peak 0.92 m/s²" in text
     assert "Wavelet train 50–400 Hz (5 frequencies, " in text
     assert ", balance by energy, gains 0 to −7.1 dB), 600 ms, gain 1, peak 0.559 m/s²" in text
+    back = ss.waveforms.WaveletTrain(frequencies_hz=(400.0, 100.0, 50.0, 50.0, 200.0, 400.0))
+    text = ss.methods_text(replace(DESIGN, inputs=(ss.track(7, back),)))
+    assert "Wavelet train 400–50–400 Hz (6 frequencies" in text
 
 
 # The package has a function of the same name.

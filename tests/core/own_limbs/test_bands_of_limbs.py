@@ -9,7 +9,7 @@ import pytest
 
 import skinsource as ss
 from skinsource import Design, View, edits, stimulus_of, track
-from skinsource.actuators.equalising import RegularisedInverse, followed_band
+from skinsource.actuators.equalising import PolePairReplacement, RegularisedInverse, followed_band
 from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.design.amplitudes import (
     amplitude_meaning,
@@ -211,6 +211,12 @@ def test_actuators_are_asked_for_volts_or_accelerations_whatever_the_limb_answer
     for design, said in ((volts, "voltage at the actuator, V"), (accelerations, "m/s²")):
         table = describe_played(LAB.limb, "", design.scaling, (), design.actuated)
         assert any(line.startswith("amplitudes: ") and said in line for line in table)
+    # With another pole pair the gain is 1 in the mean only.
+    pair = replace(LAB, actuation=replace(asked, equaliser=PolePairReplacement()))
+    meaning = "acceleration at the contactor, in the mean of the band"
+    assert amplitude_meaning(pair).lower() == meaning
+    table = describe_played(LAB.limb, "", pair.scaling, (), pair.actuated)
+    assert f"amplitudes: {meaning}, m/s²" in table
     off = replace(LAB, actuation=replace(asked, on=False))
     assert amplitude_unit(off) == "a.u."
 

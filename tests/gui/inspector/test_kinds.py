@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QIcon, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMenu, QToolButton, QWidget
 
 from skinsource import Clip, Design, Input, waveforms
 from skinsource.base.allocation import give_freed_memory_back
@@ -377,6 +377,8 @@ def test_frequencies_typed_anew_keep_their_gains_which_the_wheel_leaves_in_sight
     if waveform is not BALANCED:
         bench.opened(0)
     lines = {line.accessibleName(): line for line in bench.panel.findChildren(LiveText)}
+    labels = {label.text() for label in bench.panel.findChildren(QLabel)}
+    assert {"Frequencies (Hz)", "Gains (dB)"} <= labels
     lines["Frequencies"].selectAll()
     QTest.keyClicks(lines["Frequencies"], "400, 237.8, 141.4, 84.1, 50")
     gains, one_line = lines["Gains"], lines["Gains"].fontMetrics().height()
