@@ -9,6 +9,7 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import Qt, Signal
 
 from skinsource.base.errors import SkinSourceError
+from skinsource.design.design import View
 from skinsource.design.design_file import (
     SENTENCE,
     SHOW_SUFFIX,
@@ -75,6 +76,7 @@ class ShowPage(ToolPage):
         self.heading, self.sentence = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
         self.sentence.setMaxLength(int(SENTENCE.longest))
         self.knob, self.notes = ChoiceField(CONTROL), QtWidgets.QPlainTextEdit()
+        self._knobs: dict[str, tuple[str, View]] = {}
         self.notes.setTabChangesFocus(True)
         self._lay_out()
         self._add(entries)
@@ -85,7 +87,7 @@ class ShowPage(ToolPage):
         self.list.model().rowsMoved.connect(lambda *_: self._show(self.list.currentRow()))
         self.heading.textEdited.connect(lambda text: self._change(title=text.strip()))
         self.sentence.textEdited.connect(lambda text: self._change(sentence=text.strip()))
-        self.knob.edited.connect(lambda knob, _: self._change(knob=knob))
+        self.knob.edited.connect(lambda title, _: self._turn(title))
         self.notes.textChanged.connect(self._change_notes)
         self._saved = self.entries
         self.list.setCurrentRow(0)
@@ -220,11 +222,18 @@ class ShowPage(ToolPage):
         self.sentence.setCursorPosition(0)
         self.notes.setPlainText(entry.notes if known else "")
         if known:
-            options = knob_options(entry.design, entry.view)
-            self.knob.set_options(options)
-            self.knob.set_value(entry.knob if entry.knob in dict(options) else ALL)
+            self._knobs = knob_options(entry.design, entry.view)
+            self.knob.set_options((title, title) for title in self._knobs)
+            # Automatic is the first of an input, and stands for what it does not have.
+            fitting = (ALL, entry.view), (entry.knob, entry.view)
+            self.knob.set_value([title for title, to in self._knobs.items() if to in fitting][-1])
 
-    def _change(self, **changes: str) -> None:
+    def _turn(self, title: str) -> None:
+        """Choose what the knob of the selected design turns."""
+        knob, view = self._knobs[title]
+        self._change(knob=knob, view=view)
+
+    def _change(self, **changes: str | View) -> None:
         item = self.list.currentItem()
         if item is not None:
             item.setData(_ENTRY, replace(item.data(_ENTRY), **changes))

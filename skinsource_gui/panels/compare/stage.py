@@ -338,6 +338,8 @@ _PERIODS = {False: 3.0, True: 1.0}
 _SPECTRUM_DB = 60.0
 # Curves of other outputs that are so much weaker than what was shown are not to be seen.
 _SUNK_DB = 12.0
+# A list of what can be turned has the numbers of so many inputs.
+_MOST_OFFERED = 12
 # When curves that a turn of the knob has cut are fitted, after the last turn.
 _RESTS_MS = 1000
 
@@ -914,12 +916,31 @@ def _says(sentence: str, turned: NumberSpec | None) -> bool:
     return any(_number_said(each, turned) is not None for each in _QUANTITY.finditer(sentence))
 
 
-def knob_options(design: Design, view: View) -> list[tuple[str, str]]:
-    """Return which numbers of a design the knob can turn, and their titles."""
-    track, of = _turned_input(design, view), turned_inputs(design, view)
+def knob_options(design: Design, view: View) -> dict[str, tuple[str, View]]:
+    """Return by their titles the numbers that the knob can turn, and views in which it does.
+
+    They are those of what it turns in ``view``, and of the first inputs of the design.
+    """
+    several = _n_turned(design, view) > 1
+    now = None if several else _turned_input(design, view)
+    views = [view] if several or now is None else []
+    views += [
+        view if track is now else edits.select_inputs(design, view, [track.id]).view
+        for k, track in enumerate(design.inputs)
+        if k < _MOST_OFFERED or track is now
+    ]
+    return {
+        f"{title}{turned_inputs(design, each)}": (name, each)
+        for each in views
+        for name, title in _numbers_of(_turned_input(design, each), each)
+    }
+
+
+def _numbers_of(track: Input | None, view: View) -> list[tuple[str, str]]:
+    """Return which numbers of an input the knob can turn, and their titles."""
     clip = None if track is None else clip_of(track, view)
     left_out = FREQUENCY if clip is None or _frequency_of(clip) is None else ""
-    return [(name, f"{title}{of}") for name, title in CONTROL.options if name != left_out]
+    return [option for option in CONTROL.options if option[0] != left_out]
 
 
 def _frequency_of(clip: Clip) -> tuple[str, NumberSpec] | None:
@@ -932,11 +953,18 @@ def _frequency_of(clip: Clip) -> tuple[str, NumberSpec] | None:
 
 def turned_inputs(design: Design, view: View) -> str:
     """Return of which input the knob turns a number, or of how many; "" where there is one."""
-    n_turned, track = len(view.selected_inputs), _turned_input(design, view)
+    n_turned, track = _n_turned(design, view), _turned_input(design, view)
     if track is None or len(design.inputs) == 1:
         return ""
-    place = f"place\N{NO-BREAK SPACE}{track.location}"
-    return f", {n_turned} inputs" if n_turned > 1 else f", {place}"
+    if n_turned > 1:
+        return f", {n_turned} inputs"
+    there = [each.id for each in design.inputs if each.location == track.location]
+    which = f", {there.index(track.id) + 1} of {len(there)}" if len(there) > 1 else ""
+    return f", place\N{NO-BREAK SPACE}{track.location}{which}"
+
+
+def _n_turned(design: Design, view: View) -> int:
+    return len(set(view.selected_inputs) & set(design.ids))
 
 
 def _turned_input(design: Design, view: View) -> Input | None:

@@ -1,5 +1,7 @@
 """A show is made in the window: designs, files and scenes in an order, with words and a knob."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -51,7 +53,7 @@ def test_designs_files_and_scenes_are_put_into_an_order_and_saved(studio, made, 
     made.heading.textEdited.emit("Both")
     made.sentence.textEdited.emit("Two inputs at once.")
     made.notes.setPlainText("Ask first.")
-    made.knob.choose("amplitude")
+    made.knob.choose("Amplitude, place\N{NO-BREAK SPACE}13")
     assert made.save()
     read = ss.open_show(path)
     assert [entry.title for entry in read] == titles(made)
@@ -63,22 +65,79 @@ def test_designs_files_and_scenes_are_put_into_an_order_and_saved(studio, made, 
     assert not made.isVisible()
 
 
-def test_the_knob_of_a_show_says_which_of_several_inputs_it_turns(page):
-    for scene, of in (("2A", ""), ("2F", ", place\N{NO-BREAK SPACE}8")):
+def knobs(page):
+    return [page.knob.itemText(k) for k in range(page.knob.count())]
+
+
+WORDS = "Automatic", "Frequency", "Amplitude", "Onset"
+
+
+def test_the_knob_of_a_show_offers_the_numbers_of_each_input(page):
+    two = [f", place\N{NO-BREAK SPACE}{k}" for k in (8, 13)]
+    for scene, inputs in (("2A", [""]), ("2F", two)):
         page.add_scene(scene)
-        titles = [page.knob.itemText(k) for k in range(page.knob.count())]
-        words = "Automatic", "Frequency", "Amplitude", "Onset"
-        assert titles == [f"{word}{of}" for word in words]
+        assert knobs(page) == [f"{word}{of}" for of in inputs for word in WORDS]
+
+
+def test_on_the_stage_the_knob_turns_the_input_that_was_chosen(studio, page, path):
+    tone = ss.waveforms.Tone(frequency_hz=100.0)
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(8, tone), ss.track(7, tone)))
+    page._add([ShowEntry.of(design, ss.View(selected_inputs=()))])
+    page.knob.choose("Frequency, place\N{NO-BREAK SPACE}7")
+    page.list.setCurrentRow(-1)
+    page.list.setCurrentRow(0)
+    assert page.knob.shown_text == "Frequency, place\N{NO-BREAK SPACE}7"
+    assert page.save()
+    page.done(0)
+    studio.files.open(path)
+    dial = studio.panel("stage").knob
+    assert dial.label.text() == "Tone frequency, place\N{NO-BREAK SPACE}7"
+    dial.edited.emit(50.0, None)
+    turned = [track.clips[0].waveform.frequency_hz for track in studio.document.design.inputs]
+    assert turned == [100.0, 50.0]
+
+
+def test_a_knob_that_turns_several_inputs_can_be_chosen_again(page):
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(8), ss.track(7)))
+    view = ss.View(selected_inputs=(1, 2), selected_clips=(2,))
+    entry = replace(ShowEntry.of(design, view), knob="onset")
+    page._add([entry])
+    assert page.knob.shown_text == "Onset, 2 inputs"
+    page.knob.choose("Amplitude, place\N{NO-BREAK SPACE}8")
+    assert page.entries[0].view.selected_inputs == (1,)
+    page.knob.choose("Onset, 2 inputs")
+    assert page.entries == (entry,)
+
+
+def test_the_knob_tells_inputs_at_one_place_apart_and_lists_some_dozens_of_numbers():
+    design = ss.Design(limb="synthetic-1", inputs=tuple(ss.track(7) for _ in range(40)))
+    options = knob_options(design, ss.View(selected_inputs=(40,)))
+    assert len(options) < 60
+    for k in (1, 12, 40):
+        title = f"Amplitude, place\N{NO-BREAK SPACE}7, {k} of 40"
+        assert options[title] == ("amplitude", ss.View(selected_inputs=(k,)))
+
+
+def test_inputs_that_a_design_does_not_have_are_not_turned(page):
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone()),))
+    page._add([replace(ShowEntry.of(design, ss.View(selected_inputs=(1, 2))), knob="onset")])
+    assert knobs(page) == list(WORDS)
+    assert page.knob.shown_text == "Onset"
 
 
 @pytest.mark.parametrize(
     ("waveform", "turned"),
-    [(ss.waveforms.Tap(), ["all", "amplitude", "onset"]), (ss.waveforms.Tone(), None)],
+    [(ss.waveforms.Tap(), ("Automatic", "Amplitude", "Onset")), (ss.waveforms.Tone(), WORDS)],
 )
 def test_the_knob_of_a_show_turns_a_frequency_only_of_what_has_one(waveform, turned):
     design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, waveform),))
-    options = [name for name, _ in knob_options(design, ss.View())]
-    assert options == (turned or ["all", "frequency", "amplitude", "onset"])
+    assert tuple(knob_options(design, ss.View())) == turned
+
+
+def test_a_knob_for_a_frequency_that_a_design_does_not_have_is_automatic(page):
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
+    page._add([replace(ShowEntry.of(design, ss.View()), knob="frequency")])
+    assert page.knob.shown_text == "Automatic"
 
 
 @pytest.mark.parametrize("scale", [1.0, 1.8])
