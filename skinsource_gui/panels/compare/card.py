@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 
 from skinsource.design.comparing import gain_text, loudest_db, snapshot_name
 from skinsource.design.design import TITLE
+from skinsource.design.labels import short_limb_title
 from skinsource_gui.fields.editors import TextLine
 from skinsource_gui.fields.units import minus
 from skinsource_gui.qt.buttons import passing_menu
@@ -25,11 +26,11 @@ def card_level_text(compared: Compared) -> str:
     return "silent" if is_silent(compared) else minus(f"{stored + gain_db(compared):z.1f} dB")
 
 
-def card_text(compared: Compared, *, present: bool) -> str:
+def card_text(compared: Compared, on_limb: str, *, present: bool) -> str:
     """Return all that a card shows, as it is read aloud."""
     gain = gain_text(compared.gain)
     parts = [
-        snapshot_name(compared.snapshot.number).capitalize(),
+        f"{snapshot_name(compared.snapshot.number).capitalize()}{on_limb}",
         compared.title,
         f"loudest output {card_level_text(compared)}",
         f"shown {gain} to match" if gain else "",
@@ -45,6 +46,13 @@ def told_titles(compared: Sequence[Compared]) -> dict[int, str]:
     known = [side.title for side in compared]
     told = [side for side in compared if side.snapshot.title or known.count(side.title) == 1]
     return {side.snapshot.number: side.title for side in told}
+
+
+def told_limbs(compared: Sequence[Compared]) -> dict[int, str]:
+    """Return on which limb each is by number, " on Synthetic 1"; "" where that is one for all."""
+    limbs = {side.snapshot.number: side.snapshot.design.limb for side in compared}
+    several = len(set(limbs.values())) > 1
+    return {number: f" on {short_limb_title(limb)}" * several for number, limb in limbs.items()}
 
 
 _PLACE = "snapshot"
@@ -90,13 +98,15 @@ class Card(QtWidgets.QToolButton):
         self.clicked.connect(self._act)
         self.show_snapshot(None, present=False)
 
-    def show_snapshot(self, compared: Compared | None, title: str = "", *, present: bool) -> None:
-        """Take over what to show, and how it is called; None: nothing is stored."""
+    def show_snapshot(
+        self, compared: Compared | None, title: str = "", on_limb: str = "", *, present: bool
+    ) -> None:
+        """Take over what to show, how it is called and on which limb; None: nothing is stored."""
         self.compared, self.present = compared, present
         text = (
             f"Snapshot {self.number}: nothing stored; click, or press {self._store_key}, to store"
             if compared is None
-            else card_text(compared, present=present)
+            else card_text(compared, on_limb, present=present)
         )
         self.setAccessibleName(text)
         self.setToolTip(text)

@@ -42,9 +42,10 @@ from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.loudest_window import Span
 from skinsource_gui.fields.units import output_text
-from skinsource_gui.panels.compare.card import told_titles
+from skinsource_gui.panels.compare.card import told_limbs, told_titles
 from skinsource_gui.panels.compare.settings import MOTION, RANGE, SHOWN, CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
+from skinsource_gui.plots.outputs import is_placed
 from skinsource_gui.plots.small_map import (
     SILENT,
     USUAL_STYLE,
@@ -221,8 +222,9 @@ class CompareContent:
 
 def _in_sight(small: SmallMap, numbers: tuple[int, ...], *, hand_only: bool) -> list[bool]:
     bounds = replace(small, hand_only=hand_only).bounds
-    positions = enumerate(small.limb_map.output_positions, 1)
-    return [bounds.contains(QPointF(*place)) for number, place in positions if number in numbers]
+    places = small.limb_map.output_positions
+    placed = [number for number in numbers if is_placed(places, number)]
+    return [bounds.contains(QPointF(*places[number - 1])) for number in placed]
 
 
 # Levels that differ by less are shown as the same.
@@ -528,7 +530,7 @@ class Kind:
         """Return the sides from results of the design in the window, which hold its ``needs``."""
         return ()
 
-    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+    def names(self, compared: Sequence[Compared], view: View) -> list[Names]:
         """Return the names of the sides, each from the longest to the shortest."""
         raise NotImplementedError
 
@@ -570,7 +572,7 @@ class Kind:
     ) -> tuple[Cell, ...]:
         """Return the maps of the sides; their scales show by how much levels are matched."""
         shown, style = self.drawn_as(settings), level_style(view)
-        names = self.names(compared, view, difference=shown == "difference")
+        names = self.names(compared, view)
         reference = self.reference(compared, design, view)
         if shown == "levels":
             apart = view.span == "record" and "snapshots" in self.fields
@@ -627,7 +629,7 @@ class OfAxes(Kind):
     def moving(self, limb: str, axes: str) -> str:
         return ALL_AXES
 
-    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+    def names(self, compared: Sequence[Compared], view: View) -> list[Names]:
         return [(f"Along {side.axes}", side.axes) for side in compared]
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
@@ -644,7 +646,7 @@ class OfWindow(Kind):
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         return [Compared(snapshot=Snapshot(design=design), values=results)]
 
-    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+    def names(self, compared: Sequence[Compared], view: View) -> list[Names]:
         return [(limb_label(_limb(side)).title,) for side in compared]
 
 
@@ -662,7 +664,7 @@ class OfLimbs(Kind):
     def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
         return settings.chosen(design.limb)
 
-    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+    def names(self, compared: Sequence[Compared], view: View) -> list[Names]:
         """Return the names of the limbs, with their axes where these are not those of the view."""
         names: list[Names] = []
         for side in compared:
@@ -717,7 +719,7 @@ class OfWindows(Kind):
             sides.append(Compared(snapshot=snapshot, values={**common, **values}, axes=name))
         return sides
 
-    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+    def names(self, compared: Sequence[Compared], view: View) -> list[Names]:
         return [(side.axes,) for side in compared]
 
     def over(self, view: View) -> str:
@@ -745,7 +747,7 @@ class OfFrequencies(Kind):
         in_order = sorted({own_hz, *settings.frequencies_hz})
         return tuple(design.limb if hz == own_hz else hz for hz in in_order)
 
-    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+    def names(self, compared: Sequence[Compared], view: View) -> list[Names]:
         known = [frequency_of(side.snapshot.design) or 0.0 for side in compared]
         return [_WORKING if isinf(hz) else (f"{hz:g} Hz",) for hz in known]
 
@@ -761,8 +763,8 @@ class OfSnapshots(Kind):
 
     fields: ClassVar[frozenset[str]] = frozenset({"snapshots"})
 
-    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
-        return snapshot_names(compared, view.axes, with_limbs=difference)
+    def names(self, compared: Sequence[Compared], view: View) -> list[Names]:
+        return snapshot_names(compared, view.axes)
 
     def is_shown(self, side: Snapshot, design: Design, view: View) -> bool:
         held = shown_snapshot(view.snapshots, design)
@@ -825,22 +827,19 @@ def matching_text(compared: Sequence[Compared]) -> str:
     return f"{snapshot_name(reference.snapshot.number)} {why}: levels cannot be matched to it"
 
 
-def snapshot_names(
-    compared: Sequence[Compared], axes: Axes, *, with_limbs: bool = False
-) -> list[Names]:
-    """Return the names of the snapshots, with their axes where these are not ``axes``.
+def snapshot_names(compared: Sequence[Compared], axes: Axes) -> list[Names]:
+    """Return the names of the snapshots, with their limbs where these differ.
 
-    ``with_limbs``: names of snapshots on several limbs include the limb.
+    They include their axes where these are not ``axes``.
     """
     names: list[Names] = []
-    titles = told_titles(compared)
+    titles, limbs = told_titles(compared), told_limbs(compared)
     figures = [titles.get(side.snapshot.number, "") for side in compared if not side.snapshot.title]
     own_of = own_parts([each for each in figures if each])
-    several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
     for side in compared:
         along = axes_on(side.snapshot.design.limb, axes)
         other = f" ({label_of(AXES, along).title})" if along != axes else ""
-        on_limb = f" on {short_limb_title(side.snapshot.design.limb)}" if several else ""
+        on_limb = limbs[side.snapshot.number]
         other += on_limb
         working = side.snapshot.number == EDITED
         called = _WORKING[0] if working else f"Snapshot {side.name}"

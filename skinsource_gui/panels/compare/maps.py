@@ -145,7 +145,7 @@ class MapsPanel(Panel):
         if not compared or design is None or message:
             self.moving.update((), ())
         elif self.moves:
-            names = kind.names(compared, view, difference=False)
+            names = kind.names(compared, view)
             self.moving.update(compared, names, self.held)
             cells = self.moving.cells()
         else:

@@ -17,7 +17,7 @@ from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.editors import NumbersEditor
-from skinsource_gui.panels.compare.card import Card, told_titles
+from skinsource_gui.panels.compare.card import Card, told_limbs, told_titles
 from skinsource_gui.panels.compare.content import KINDS, LEAST_COMPARED, tab_separated
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.settings import (
@@ -296,12 +296,14 @@ class ComparePanel(MapsPanel):
         if self.design is not None:
             present = shown_snapshot(self.view.snapshots, self.design)
         in_window = EDITED if present is None else present.number
-        titles = told_titles(self.compared)
+        titles, limbs = told_titles(self.compared), told_limbs(self.compared)
         sides = {side.snapshot.number: side for side in self.compared}
         for card in self.cards:
             side, title = sides.get(card.number), titles.get(card.number, "")
             card.setVisible(card.number != EDITED or side is not None)
-            card.show_snapshot(side, title, present=side is not None and card.number == in_window)
+            on_limb = limbs.get(card.number, "")
+            shown = side is not None and card.number == in_window
+            card.show_snapshot(side, title, on_limb, present=shown)
 
     def _act(self, number: int, what: str) -> None:
         if what == "store":

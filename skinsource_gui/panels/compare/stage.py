@@ -460,7 +460,7 @@ class StagePanel(MapsPanel):
         # Of several maps, traces are of one output.
         self.maps.picker.toggles = not several
         if not self.moves and self.maps.content.cells:
-            names = self.kind.names(self.compared, self.view, difference=False)
+            names = self.kind.names(self.compared, self.view)
             self.moving.update(self.compared, names)
         self._show_traces()
         self.show_caution(*self._caution)
@@ -474,7 +474,7 @@ class StagePanel(MapsPanel):
         # The noise is that of the noisiest map.
         counts = [len(noisy_outputs(side)) for side in self.compared]
         if most := max(counts, default=0):
-            names = self.kind.names(self.compared, self.view, difference=False)
+            names = self.kind.names(self.compared, self.view)
             noisiest = names[counts.index(most)]
             several, content = len(counts) > 1, self.maps.content
             hatches = not self.moves and content.is_hatched(hand_only=self.maps.places.low)
@@ -727,7 +727,7 @@ class StagePanel(MapsPanel):
         if not (known and outputs):
             self.strip.show_curves((), self.strip.ends, ("", "", ""))
             return
-        names = self.kind.names(self.compared, self.view, difference=False)
+        names = self.kind.names(self.compared, self.view)
         limb = self.compared[0].snapshot.design.limb
         where = "" if alone else output_text(outputs[0], limb)
         spectra = stage_settings(self.view).plot == "spectra"

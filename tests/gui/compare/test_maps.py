@@ -339,7 +339,7 @@ def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
     document.edit("back", Design(limb="synthetic-1", inputs=(track(7),)))
     document.look(replace(document.view, axes="y"))
     [lab] = [cell for cell in shown(panel, qtbot, 2) if cell.limb == "lab-1"]
-    assert lab.heading.startswith("Snapshot 1 (x, z), ")
+    assert lab.heading.startswith("Snapshot 1 (x, z) on ")
     assert " s long; differences and means over " in panel.maps.content.about
     view = View(axes="xz", method=document.view.method)
     expected = evaluate(on_lab, "output_levels_db", view=view)["output_levels_db"]
@@ -482,4 +482,4 @@ def test_of_more_windows_than_are_seen_it_says_that_these_are_the_first(qapp):
 def of_windows(results):
     kind = KINDS["windows"]
     sides = kind.sides(DESIGN, results)
-    return of_levels(sides, kind.names(sides, View(), difference=False))
+    return of_levels(sides, kind.names(sides, View()))

@@ -343,6 +343,26 @@ def test_designs_on_other_limbs_are_compared_where_their_outputs_are_the_same(
     assert (cell.text, cell.small) == (ELSEWHERE, None)
 
 
+def test_snapshots_of_several_people_say_on_whom_each_is(window, panel, settle):
+    first = window.document.design
+    window.do("store_snapshot_1")
+    edit(window, 2.0)
+    window.do("store_snapshot_2")
+    for what in ("levels", "motion"):
+        choose(window, shown=what)
+        settle()
+        assert [cell.heading for cell in panel.maps.content.cells] == ["Snapshot 1", "Snapshot 2"]
+        assert " on " not in cards(panel)[1].toolTip()
+    window.document.edit("limb", replace(first, limb="synthetic-2"))
+    window.do("store_snapshot_2")
+    for what in ("levels", "motion"):
+        choose(window, shown=what)
+        settle()
+        heads = [cell.heading for cell in panel.maps.content.cells]
+        assert heads == ["Snapshot 1 on Synthetic 1", "Snapshot 2 on Synthetic 2"]
+        assert cards(panel)[1].toolTip().startswith("Snapshot 1 on Synthetic 1, ")
+
+
 def test_a_design_of_a_file_is_kept_as_a_snapshot_and_the_present_one_stays_open(
     window, panel, qtbot, tmp_path, monkeypatch
 ):
@@ -358,8 +378,9 @@ def test_a_design_of_a_file_is_kept_as_a_snapshot_and_the_present_one_stays_open
     panel.bar.file.click()
     cells = shown(panel, qtbot, 2)
     assert (document.design, document.path) == (before, None)
-    assert {cell.heading for cell in cells} == {"Working design", "Snapshot 1 · two hundred"}
-    [other] = [cell for cell in cells if cell.heading != "Working design"]
+    heads = {cell.limb: cell.heading.partition(" on ")[0] for cell in cells}
+    assert heads == {"synthetic-1": "Working design", "synthetic-2": "Snapshot 1 · two hundred"}
+    [other] = [cell for cell in cells if cell.limb == saved.limb]
     assert other.values_db == pytest.approx(levels(saved), abs=1e-9)
     # It is beside the history, as every snapshot.
     assert document.undo_stack.count() == 0

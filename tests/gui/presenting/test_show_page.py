@@ -199,7 +199,10 @@ def test_the_stage_moves_at_first_where_the_compare_panel_does(studio, what, off
 @pytest.mark.parametrize("saved", [False, True])
 @pytest.mark.parametrize(
     ("name", "parts"),
-    [("1G", [f"Limb {k}" for k in range(1, 5)]), ("2B", ["50 Hz", "100 Hz", "200 Hz", "400 Hz"])],
+    [
+        ("1G", [f"Limb {k} on Synthetic {k}" for k in range(1, 5)]),
+        ("2B", ["50 Hz", "100 Hz", "200 Hz", "400 Hz"]),
+    ],
 )
 def test_a_scene_of_a_show_has_its_maps_and_labels(studio, page, path, qtbot, name, parts, saved):
     page.add_scene(name)
