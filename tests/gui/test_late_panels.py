@@ -138,9 +138,7 @@ OF_OUTPUTS_IN_ANALYSIS = (
 )
 OF_OUTPUTS = {"traces", "spectra", *(f"analysis/{view}" for view in OF_OUTPUTS_IN_ANALYSIS)}
 #: Others too ask for results of the design.
-COMPUTED = sorted(
-    {"skin", "timeline", "inspector", "clip_editor", "output", "analysis/windowed"} | OF_OUTPUTS
-)
+COMPUTED = sorted({"skin", "timeline", "clip_editor", "output", "analysis/windowed"} | OF_OUTPUTS)
 #: What is known of limbs and snapshots is forgotten, or held against what it is of.
 OF_LIMBS = ["analysis/regions"]
 

@@ -175,6 +175,8 @@ class InputFields(QObject):
         of the track.
     kind, place, meaning
         These emit what is chosen themselves; all others emit ``edited``.
+    peak
+        What is computed: the peak of the track.
     """
 
     #: Name of the field, its new value, number of the gesture or None.
@@ -207,7 +209,7 @@ class InputFields(QObject):
         self._onset = FieldCell("onset_s", ONSET, edited=self.edited)
         self._gain = FieldCell("gain", _CLIP_GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
-        self._peak = TextCell(
+        self.peak = TextCell(
             "Track peak", "", "peak", "Peak of the track, with its gain, between samples too"
         )
         self._played_length = TextCell("Played time", "", "played_length", "Duration after effects")
@@ -261,7 +263,7 @@ class InputFields(QObject):
             return
         self._strength = amplitude, peak
         self._amplitude.set_spec(amplitude)
-        self._peak.text_label.setText(peak)
+        self.peak.text_label.setText(peak)
         self._arrange()
 
     def show_limb(self, limb: str) -> None:
@@ -303,7 +305,7 @@ class InputFields(QObject):
             (self._whole, self._whole.text_label.text()),
             (self.place, True),
             (self._amplitude, True),
-            (self._peak, self._peak.text_label.text()),
+            (self.peak, self.peak.text_label.text()),
             (self._onset, has_clip),
             (self._duration, has_clip),
             (self._played_length, self._played_length.text_label.text()),
@@ -467,6 +469,7 @@ class InspectorPanel(Panel):
             FieldCell(name, spec, edited=self._change_texts)
             for name, spec in (("title", _TITLE), ("sentence", _SENTENCE))
         )
+        self.computed = (self._fields.peak,)
         self._lay_out()
 
     def minimumSizeHint(self) -> QSize:
