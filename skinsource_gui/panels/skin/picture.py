@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from PySide6 import QtGui
-from PySide6.QtCore import QRectF, QSizeF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 
 from skinsource.design.design import Design
 from skinsource.design.labels import limb_label
@@ -16,6 +16,7 @@ from skinsource_gui.panels.skin.map import paint_map_texts
 from skinsource_gui.panels.skin.painting import MapPainter, small_font
 from skinsource_gui.panels.skin.scale import scale_of
 from skinsource_gui.panels.skin.settings import PEOPLE, SENSATION, MapQuantity
+from skinsource_gui.plots.outputs import is_placed
 from skinsource_gui.plots.small_map import paint_scale_row, scale_row_px
 from skinsource_gui.qt.theme import Theme, on_paper, scaled, tabular
 
@@ -74,8 +75,6 @@ def paint_picture(
     seen
         What part of the map; all of it unless given.
     """
-    if content.hatched:
-        heading = replace(heading, details=f"{heading.details} · {HATCHED}")
     painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
     page = QRectF(0, 0, size.width(), size.height())
     painter.fillRect(page, QtGui.QColor(theme.base))
@@ -87,6 +86,8 @@ def paint_picture(
     font = tabular(font)
     line = QtGui.QFontMetricsF(font).height()
     inner = page.adjusted(line, 0.6 * line, -line, -line)
+    if _shows_hatches(content, inner, QtGui.QFontMetricsF(small_font(font)), visible):
+        heading = replace(heading, details=f"{heading.details} · {HATCHED}")
     inner.setTop(_paint_heading(painter, inner, heading, font, theme) + 0.4 * line)
     painter.setFont(small_font(font))
     scale_px = scale_row_px(painter.fontMetrics().height())
@@ -98,6 +99,18 @@ def paint_picture(
     paint_scale_row(painter, below, scale_of(content), theme)
     painter.setFont(font)
     paint_map_texts(painter, content, room, theme)
+
+
+def _shows_hatches(
+    content: MapContent, room: QRectF, metrics: QtGui.QFontMetricsF, visible: VisiblePart
+) -> bool:
+    """Return whether an output that is mostly noise is in sight."""
+    if content.limb_map is None or not content.hatched:
+        return False
+    places = content.limb_map.output_positions
+    points = visible.frame_in(content.limb_map, room, metrics).to_screen(places)
+    placed = [number for number in content.hatched if is_placed(places, number)]
+    return any(room.contains(QPointF(*points[number - 1])) for number in placed)
 
 
 def heading_font(font: QtGui.QFont, text: str, area: QRectF) -> QtGui.QFont:

@@ -239,10 +239,12 @@ def test_pictures_say_what_strokes_mean_where_there_are_some(window, monkeypatch
         "_paint_heading",
         lambda painter, inner, heading, *rest: headings.append(heading) or 0.0,
     )
-    for noisy in ((), (3, 4)):
+    for noisy, fit in (((), "whole"), ((3, 4), "whole"), ((54,), "whole"), ((54, 65), "hand")):
         window.panel.show_noisy(noisy)
+        window.panel.map.stage.pan_zoom.show(fit)
         window.panel.picture(300, 400)
-    assert ["hatched" in cell.details for cell in headings] == [False, True]
+    # Beyond the hand nothing is seen of 54, and 65 has no place.
+    assert ["hatched" in cell.details for cell in headings] == [False, True, True, False]
     assert headings[1].details.endswith("hatched: less than 6 dB above the noise")
 
 
