@@ -200,11 +200,8 @@ def test_an_interrupted_and_a_killed_sweep_lose_nothing_and_double_nothing(tmp_p
         )
         while process.poll() is None and _size(out / JOURNAL) < before + 3000:
             time.sleep(0.002)
-        # It waits until all its processes are known: else it may end by itself.
-        os.killpg(process.pid, signal.SIGSTOP)
         children = psutil.Process(process.pid).children(recursive=True)
         os.killpg(process.pid, number)
-        os.killpg(process.pid, signal.SIGCONT)
         _, messages = process.communicate()
         assert process.returncode == {signal.SIGINT: 130, signal.SIGKILL: -9}[number]
         assert b"Traceback" not in messages
