@@ -93,7 +93,7 @@ _SOURCES: dict[type, _Source] = {
         *("recording_button", "File", "Choose file…"),
         *("Import a recording, in place of these samples or beside them", "import_recording"),
     ),
-    Drawn: ("draw_button", "Samples", "Draw…", "Draw this clip with the pen", "draw_clip"),
+    Drawn: ("draw_button", "Curve", "Draw…", "Draw this clip with the pen", "draw_clip"),
 }
 
 
