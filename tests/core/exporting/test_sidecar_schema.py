@@ -49,6 +49,7 @@ VOLTS = replace(DESIGN, actuation=actuation(COIL))
 CASES = {
     "bare": (DESIGN, {}),
     "upstream": (replace(DESIGN, scaling="upstream"), {}),
+    "relative": (replace(DESIGN, scaling="relative"), {}),
     "named": (DESIGN, {"actuation": actuation(COIL)}),
     "equalised": (DESIGN, {"actuation": actuation(COIL), "equaliser": INVERSE}),
     "replaced": (DESIGN, {"actuation": actuation(COIL), "equaliser": REPLACED}),
