@@ -13,6 +13,7 @@ from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import PolePairReplacement, RegularisedInverse
 from skinsource.base.errors import printable
 from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import choose_actuation, choose_rig
 from skinsource.design.panel_settings import STAGE
 from skinsource_gui import pages
@@ -138,8 +139,10 @@ class RigPages(QObject):
         if isinstance(equaliser, PolePairReplacement):
             equaliser = RegularisedInverse()
         actuation = Actuation(actuators=(actuator,), equaliser=equaliser)
-        self._document.apply(choose_actuation(design, view, actuation))
-        self.opened.emit(f"Opened {printable(path.name)}.")
+        chosen = choose_actuation(design, view, actuation)
+        self._document.apply(chosen)
+        if isinstance(chosen, Edit):
+            self.opened.emit(f"Opened {printable(path.name)}.")
 
 
 _PLAY = "Animate or stop", "No actuator moves."

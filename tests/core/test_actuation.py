@@ -233,6 +233,20 @@ def test_a_rig_brings_the_actuators_that_it_knows_and_is_kept_in_files(tmp_path)
     assert edits.choose_rig(design, SEEN, blank).design == replace(design, rig=blank)
 
 
+def test_where_a_rig_says_the_actuators_others_are_refused_and_equalisers_are_not():
+    known = ss.rigs.RigChannel(place=7, actuator="example-piezo", full_scale_v=2.0)
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
+    wired = edits.choose_rig(design, SEEN, ss.rigs.Rig(channels=(known,))).design
+    coil = ss.Actuation(actuators=(ss.ActuatorAt(actuator="Coil", model=COIL),))
+    for before in (wired, edits.choose_actuation(wired, SEEN, None).design):
+        refusal = edits.choose_actuation(before, SEEN, coil)
+        assert "Choose another rig, or none" in refusal.sentence
+    equalised = replace(wired.actuation, equaliser=INVERSE)
+    assert edits.choose_actuation(wired, SEEN, equalised).design.actuation.equaliser == INVERSE
+    free = edits.choose_rig(wired, SEEN, None).design
+    assert edits.choose_actuation(free, SEEN, coil).design.actuation.actuators == coil.actuators
+
+
 def test_what_is_chosen_is_predicted_through_only_where_that_is_switched_on():
     design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
     chosen = ss.Actuation(actuators=(ss.ActuatorAt(actuator="Coil", model=COIL),))

@@ -740,6 +740,8 @@ class OutputPanel(Panel):
     def _choose(self, actuation: Actuation | None, gesture: int | None = None) -> None:
         outcome = edits.choose_actuation(self._design, self._view, actuation)
         self.edited.emit(outcome, gesture)
+        # After a refusal the fields show the design again.
+        self.choices.show_actuation(self._design.actuation)
 
     def _unfold(self) -> None:
         settings = OutputSettings(more=not self._settings.more)

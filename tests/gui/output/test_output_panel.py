@@ -290,6 +290,29 @@ def test_an_actuator_that_is_not_listed_is_named_and_keeps_its_parameters(window
     assert window.document.design.actuation.actuators == through.actuators
 
 
+def test_beside_a_rig_another_actuator_is_refused_and_the_field_stays(
+    window, panel, qtbot, tmp_path, monkeypatch
+):
+    channel = ss.rigs.RigChannel(place=7, actuator="example-piezo")
+    design, view = window.document.design, window.document.view
+    window.document.apply(ss.edits.choose_rig(design, view, ss.rigs.Rig(channels=(channel,))))
+    bench.settle(window)
+    field = panel.choices.cell("actuator").field
+    shown = field.currentText()
+    field.choose("example-voice-coil")
+    bench.settle(window)
+    assert "Choose another rig, or none" in window.notice.text
+    assert field.currentText() == shown
+    path = tmp_path / "own.csv"
+    path.write_text("frequency_hz,gain\n20,1\n100,2\n500,1\n", encoding="utf-8")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    refused = []
+    window.document.refused.connect(refused.append)
+    panel.choices.open.click()
+    qtbot.waitUntil(lambda: refused != [], timeout=30_000)
+    assert "Choose another rig, or none" in window.notice.text
+
+
 def test_under_another_scaling_the_switch_stays_off_and_says_why(window, panel, qtbot):
     design, view = window.document.design, window.document.view
     window.document.apply(ss.edits.change_scaling(design, view, "upstream"))

@@ -179,9 +179,16 @@ def predict_through(design: Design, view: View, actuation: Actuation | None) -> 
     return Edit(label=label, design=replace(design, actuation=actuation), view=view)
 
 
+_OF_RIG = Refusal(
+    sentence="The rig says which actuators move the skin. Choose another rig, or none, first."
+)
+
+
 @refusing
 def choose_actuation(design: Design, view: View, actuation: Actuation | None) -> Edit | Refusal:
     """Choose actuators and equaliser; predictions go through them as before.  None: none.
+
+    Other actuators than those of the rig, which exports are for, are refused.
 
     Examples
     --------
@@ -197,6 +204,10 @@ def choose_actuation(design: Design, view: View, actuation: Actuation | None) ->
         actuation = replace(actuation, on=design.actuated is not None)
         same = known is not None and known.actuators == actuation.actuators
         label = "Change the equaliser" if same else "Change the actuator"
+        if design.rig is not None and not same:
+            with suppress(InvalidInputError):
+                if actuation_of_rig(design.rig).actuators != actuation.actuators:
+                    return _OF_RIG
     return Edit(label=label, design=replace(design, actuation=actuation), view=view)
 
 
