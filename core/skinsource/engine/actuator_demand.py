@@ -165,8 +165,12 @@ def demand_of(
         refusal = f"{text[:1].upper()}{text[1:]}"
         leaves_velocity = equaliser is not None and not rest.returns
         return Demand(place=location, refusal=refusal, leaves_velocity=leaves_velocity)
-    # The duty is that of the drive, without the ringing of the filter before and after.
-    figures = replace(figures, duty=duty_of(drive, sample_rate_hz))
+    # The duty is that of the drive, without the ringing of the filter before and after.  All
+    # channels are sent as long as the design, with that ringing.
+    n_sent = max(player.end for player in placed) + voltage.size - drive.size
+    figures = replace(
+        figures, duty=duty_of(drive, sample_rate_hz), duration_s=n_sent / sample_rate_hz
+    )
     return Demand(place=location, part=shown.size < voltage.size, figures=figures)
 
 

@@ -136,6 +136,7 @@ _ROWS = (
     ("Peak current", "peak_current_a", "A", "peak_current_a"),
     ("RMS current", "rms_current_a", "A", "rms_current_a"),
     ("Mean power", "mean_power_w", "W", None),
+    ("Duration", "duration_s", "s", "duration_s"),
     ("Duty cycle", "duty", "%", "duty"),
     ("Temperature rise", "temperature_rise_k", "K", None),
 )
@@ -148,8 +149,9 @@ def rows_of(shown: ActuatorProfile, prediction: Prediction) -> tuple[Figure, ...
     rows = []
     for label, name, unit, limit_name in _ROWS:
         value = getattr(prediction, name)
-        if not isnan(value):
-            limit = None if limit_name is None else getattr(limits, limit_name)
+        limit = None if limit_name is None else getattr(limits, limit_name)
+        # The duration is that of the design: only a limit makes it worth a row.
+        if not isnan(value) and (limit is not None or name != "duration_s"):
             rows.append(
                 Figure(
                     label=label,

@@ -92,6 +92,24 @@ def test_figures_and_response_are_of_one_place_with_its_limits_in_the_rig(window
         np.testing.assert_array_equal(panel.plot.plot.curves.y, drawn.y)
 
 
+def test_a_rig_with_a_longest_duration_has_a_row_for_what_is_sent(window, panel, qtbot, tmp_path):
+    assert "Duration" not in bench.figures(panel)
+    longer = track(3, Tone(frequency_hz=100.0, duration_s=2.5))
+    limits = ss.actuators.Limits(duration_s=2.0)
+    first = ss.rigs.RigChannel(
+        place=3, actuator="example-voice-coil", limits=limits, full_scale_v=20.0
+    )
+    rig = ss.rigs.Rig(channels=(first, replace(first, place=7, output=2)))
+    wired = edits.choose_rig(bench.design_of(bench.TONE, longer), View(), rig).design
+    window.document.edit("Wired", wired)
+    bench.settle(window)
+    written = ss.export_stimulus(wired, tmp_path / "a.wav", confirmed=True)
+    assert "Place 7: duration: 2.7 s, expected at most 2 s." in written.objections
+    row = bench.figures(panel)["Duration"]
+    assert (row.value, row.limit, row.exceeded) == ("2700 ms", "2000 ms", True)
+    assert "Beyond its limit: duration" in panel.figures.limits.text()
+
+
 def test_curves_show_actuator_filter_and_both_and_the_published_one(window, panel, qtbot):
     curves = panel.plot.plot.curves
     assert [name.short for name in curves.names] == ["Actuator", "Filter", "Equalised"]
