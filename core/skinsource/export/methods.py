@@ -65,11 +65,12 @@ def methods_text(
         rig=rig,
         equaliser=equaliser,
     )
-    return methods_of(design, view or View(), ready)
+    return methods_of(view or View(), ready)
 
 
-def methods_of(design: Design, view: View, ready: PreparedStimulus) -> str:
+def methods_of(view: View, ready: PreparedStimulus) -> str:
     """Return the text for a stimulus that is prepared already."""
+    design = ready.design
     view, facts = view_on(design.limb, view), facts_of(design.limb)
     results = evaluate(design, "output_levels_db", "limb_data", view=view)
     levels_db, note = results["output_levels_db"], results["limb_data"].note
@@ -83,6 +84,11 @@ def methods_of(design: Design, view: View, ready: PreparedStimulus) -> str:
     if len(tracks) > _MOST_INPUTS:
         described.append(f"and {counted(len(tracks) - _MOST_INPUTS, 'more input')}")
     through = "" if design.actuated is None else f", through {design.actuated.words}"
+    part = ""
+    if ready.cut:
+        sent = ready.files[0].sent
+        start_s, end_s = sent.start_s + ready.lead_in_s, sent.start_s + sent.duration_s
+        part = f" from {1e3 * start_s:.4g} to {1e3 * (end_s - ready.tail_s):.4g} ms"
     origin = "from modelled responses" if facts.synthetic else "from measured responses"
     about = f" ({note})" if note else ""
     text = " ".join(
@@ -93,7 +99,8 @@ def methods_of(design: Design, view: View, ready: PreparedStimulus) -> str:
             f"{limb_label(design.limb).title} was predicted{through}, {origin}{about}.",
             f"Its {level_label(view.span)} ({signal_label(view.axes, view.method)}) reached "
             f"{levels_db[loudest - 1]:.1f} dB re 1 m/s² at output {loudest}.",
-            f"Drives are written as {ready.format.title} ({ready.rate_text}, {ready.scale_text}). "
+            f"Drives{part} are written as {ready.format.title} ({ready.rate_text}, "
+            f"{ready.scale_text}). "
             f"{sentence(ready.equalised)}",
         )
     )

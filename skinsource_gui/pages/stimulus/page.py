@@ -268,7 +268,7 @@ class StimulusPart(ExportPart):
     def _copy_methods(self) -> None:
         """Put the methods text on the clipboard, once it is computed."""
         if self.prepared is not None:
-            work = partial(methods_of, self._design, self._view, self.prepared)
+            work = partial(methods_of, self._view, self.prepared)
             self._worker.run(work, self._put_on_clipboard)
 
     def _put_on_clipboard(self, text: str | None, error: Exception | None) -> None:

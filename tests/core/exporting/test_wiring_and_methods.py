@@ -138,6 +138,18 @@ def test_the_methods_text_counts_what_it_does_not_describe():
     assert text.endswith("Not equalised (raw accelerations).")
 
 
+def test_the_methods_text_is_of_the_tracks_and_the_time_that_are_written():
+    options = ss.StimulusOptions(inputs=(DESIGN.ids[1],), from_s=0.05, to_s=0.15, lead_in_s=0.2)
+    text = ss.methods_text(DESIGN, options=options)
+    alone = replace(DESIGN, inputs=DESIGN.inputs[1:2])
+    levels_db = ss.evaluate(alone, "output_levels_db")["output_levels_db"]
+    assert "(place 7)" not in text
+    assert "more input" not in text
+    assert f"reached {levels_db.max():.1f} dB".replace("-", "\N{MINUS SIGN}") in text
+    assert "Drives from 50 to 150 ms are written as WAV (48 kHz, full scale = " in text
+    assert "Drives are written as " in ss.methods_text(alone)
+
+
 def test_the_methods_text_says_what_is_played():
     effects = (ss.effects.Stretch(to_s=0.4),)
     slower = ss.Clip(waveform=ss.waveforms.Tone(100.0), effects=effects, gain=0.92)

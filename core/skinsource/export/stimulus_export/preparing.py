@@ -88,6 +88,8 @@ class PreparedStimulus:
     ----------
     format
         Format of the files.
+    design
+        The design with those inputs and clips that take part.
     gain
         The one factor between the drives and the samples.
     drives
@@ -113,6 +115,7 @@ class PreparedStimulus:
     """
 
     format: StimulusFormat
+    design: Design
     gain: float
     drives: Stimulus
     files: tuple[StimulusFile, ...]
@@ -460,6 +463,7 @@ def prepare_stimulus(
         )
     return PreparedStimulus(
         format=format,
+        design=_exported_design(design, drives, options),
         gain=gain,
         drives=drives,
         files=tuple(files),
