@@ -86,10 +86,18 @@ def wiring_page(
     if options.channel_map:
         drives = in_order(drives, options.channel_map)
     wired, actuators = wiring_of(design, rig, actuation)
+    numbers = [f"{channel.number}" for channel in drives.channels]
+    if options.one_file_per_input:
+        # Each file has the channel of its input, and the sync channel.
+        numbers = [
+            "2" if channel.place is None else f"1 of input-{channel.inputs[0]}"
+            for channel in drives.channels
+        ]
+    named = list(zip(numbers, drives.channels, strict=True))
     with plot.style():
         figure = new_page(f"Wiring of {design.title}" if design.title else "Wiring")
-        _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), drives.channels, wired, actuators)
-        _draw_hand(figure.add_axes((0.08, 0.46, 0.84, 0.46)), drives.channels, design.limb)
+        _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), named, wired, actuators)
+        _draw_hand(figure.add_axes((0.08, 0.46, 0.84, 0.46)), named, design.limb)
     return figure
 
 
@@ -101,15 +109,19 @@ def new_page(title: str) -> Any:
     return figure
 
 
-def _draw_table(ax: Any, channels: Sequence[Channel], rig: Rig | None, actuation: Any) -> None:
+#: Channels with the numbers that they have in their files.
+Numbered = Sequence[tuple[str, Channel]]
+
+
+def _draw_table(ax: Any, channels: Numbered, rig: Rig | None, actuation: Any) -> None:
     rows: list[tuple[str, ...]] = []
-    for channel in channels:
+    for number, channel in channels:
         place, wired = channel.place, None
         if place is None:
-            rows.append((f"{channel.number}", channel.title, "", "", ""))
+            rows.append((number, channel.title, "", "", ""))
             continue
         wired = None if rig is None else rig.channel_of(place)
-        polarity, gain, number = "normal", "not known", f"{channel.number}"
+        polarity, gain = "normal" if rig is None else "not wired", "not known"
         if wired is not None:
             polarity, gain = wired.polarity, f"{wired.amplifier_gain:g}×"
             number += f" ({wired.device} {wired.output})".replace("( ", "(output ")
@@ -137,7 +149,7 @@ def draw_table(ax: Any, columns: Sequence[str], rows: Sequence[Sequence[str]]) -
         cell.set_linewidth(0.4)
 
 
-def _draw_hand(ax: Any, channels: Sequence[Channel], name: str) -> None:
+def _draw_hand(ax: Any, channels: Numbered, name: str) -> None:
     """Draw the palm side with the number of each channel at its place."""
     limb = limb_of(name)
     outline, places = limb.map.outline, limb.map.input_positions
@@ -147,9 +159,9 @@ def _draw_hand(ax: Any, channels: Sequence[Channel], name: str) -> None:
     ax.fill(-outline[:, 0] * scale, outline[:, 1] * scale, fc="#f4e9e1", ec=plot.DIM, lw=0.8)
     ax.plot(-places[:, 0] * scale, places[:, 1] * scale, "o", ms=3, mfc="white", mec=plot.DIM)
     at: dict[int, list[str]] = {}
-    for channel in channels:
+    for number, channel in channels:
         if channel.place is not None:
-            at.setdefault(channel.place, []).append(f"{channel.number}")
+            at.setdefault(channel.place, []).append(number)
     for place, numbers in at.items():
         x, y = places[place - 1] * scale
         text = ", ".join(numbers)

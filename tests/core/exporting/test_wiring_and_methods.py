@@ -95,6 +95,27 @@ def test_channels_of_the_page_are_those_of_the_export(tmp_path):
     assert "3, 5" in words
 
 
+def test_channels_of_the_page_have_the_numbers_that_they_have_in_several_files(tmp_path):
+    options = ss.StimulusOptions(one_file_per_input=True, sync=True)
+    exported = ss.export_stimulus(DESIGN, tmp_path / "a.wav", options=options)
+    ss.export_wiring(DESIGN, tmp_path / "a.svg", options=options)
+    words = words_of(tmp_path / "a.svg")
+    first = words.index("Channel")
+    rows = [words[first + 5 * row :][:2] for row in range(1, 4)]
+    for path, id, (number, place) in zip(exported.files, DESIGN.ids, rows, strict=True):
+        drive, sync = json.loads(path.with_name(f"{path.name}.json").read_text("utf-8"))["channels"]
+        assert path.stem.endswith(f"_input-{id}")
+        assert number == f"{drive['number']} of input-{id}"
+        assert place.startswith(f"{drive['place']}, ")
+        assert words[first + 20 :][:2] == [f"{sync['number']}", "Sync"]
+
+
+def test_the_page_says_which_place_a_rig_does_not_wire(tmp_path):
+    ss.export_wiring(DESIGN, tmp_path / "a.svg", rig=Rig(channels=RIG.channels[:1]))
+    words = words_of(tmp_path / "a.svg")
+    assert words[words.index("12, Digit II, base") + 1] == "not wired"
+
+
 @pytest.mark.parametrize(("ending", "begin"), [("pdf", b"%PDF"), ("png", b"\x89PNG")])
 def test_the_command_writes_the_page_for_a_rig(tmp_path, capsys, ending, begin):
     ss.save_design(tmp_path / "d.skinsource", DESIGN)
