@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 
@@ -20,7 +21,7 @@ from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export.options import StimulusOptions
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
 from skinsource.limbs.locations import input_name
-from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource.version import __version__
 
 # Inputs that are described; the others are counted.
@@ -72,6 +73,7 @@ def methods_of(view: View, ready: PreparedStimulus) -> str:
     """Return the text for a stimulus that is prepared already."""
     design = ready.design
     view, facts = view_on(design.limb, view), facts_of(design.limb)
+    view = replace(view, axes=axes_on(design.limb, view.axes))
     results = evaluate(design, "output_levels_db", "limb_data", view=view)
     levels_db, note = results["output_levels_db"], results["limb_data"].note
     loudest = int(np.nanargmax(levels_db)) + 1

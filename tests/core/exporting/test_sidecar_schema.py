@@ -114,6 +114,21 @@ def test_each_sidecar_of_each_format_is_as_the_schema_says(tmp_path, name):
     assert n_written >= 10
 
 
+@pytest.mark.parametrize(
+    ("case", "means"),
+    [
+        ("bare", "Amplitudes are accelerations of the probe in m/s², within about 3 dB."),
+        ("volts", "An amplitude is voltage at the actuator, in V."),
+        ("as predicted", "An amplitude is acceleration at the contactor, in m/s²."),
+    ],
+)
+def test_amplitudes_through_an_actuator_are_said_to_be_its_own(tmp_path, case, means):
+    design, call = CASES[case]
+    ss.export_stimulus(design, tmp_path / "a.wav", **call)
+    about = json.loads((tmp_path / "a.wav.json").read_text(encoding="utf-8"))
+    assert about["scaling_means"] == means
+
+
 def test_an_actuator_is_said_once_with_all_its_parameters(tmp_path):
     def about(case):
         design, call = CASES[case]

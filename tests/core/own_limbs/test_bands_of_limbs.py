@@ -241,6 +241,13 @@ def exported(path, design, format):
     return json.loads(path.with_name(f"{path.name}.json").read_text())
 
 
+def test_the_methods_text_names_the_axes_that_a_limb_has(user_data):
+    installed()
+    assert " (x, z, principal axis) reached " in ss.methods_text(LAB)
+    assert " (x, z, principal axis) reached " in ss.methods_text(LAB, View(axes="y"))
+    assert " (z) reached " in ss.methods_text(LAB, View(axes="z"))
+
+
 @pytest.mark.parametrize("answers_drive", [True, False])
 def test_what_is_exported_says_it_in_every_file(user_data, tmp_path, answers_drive):
     installed(per_unit_drive=answers_drive)

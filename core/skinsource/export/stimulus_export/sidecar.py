@@ -10,8 +10,9 @@ import numpy as np
 from skinsource.actuators.actuation import Actuation, Model
 from skinsource.actuators.equalising import Equaliser
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError, lowered
 from skinsource.base.job import Stop, never
+from skinsource.design.amplitudes import amplitude_meaning, amplitude_unit
 from skinsource.design.comparing import RANGE_BETWEEN_PEOPLE
 from skinsource.design.design import Design, Input, View
 from skinsource.design.labels import label_of, level_label, scalings_on, signal_label
@@ -20,7 +21,7 @@ from skinsource.engine.stimulus import FULL_SCALE_UNIT, Stimulus, added_delays_s
 from skinsource.export.exported_design import versions
 from skinsource.export.formats.format import Facts
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, actuator_at
-from skinsource.limbs.own_limbs import drive_unit_known
+from skinsource.limbs.own_limbs import axes_on, drive_unit_known
 from skinsource.people.ranges import levels, people_like
 from skinsource.specs.models import specs_of
 
@@ -61,8 +62,13 @@ def sidecar_of(
     """
     (file,) = ready.files
     stimulus, design = file.stimulus, file.design
-    # Predicted through actuators, amplitudes are drives of these, whatever the limb was driven by.
-    known = design.actuated is not None or drive_unit_known(design.limb, design.limb_digest)
+    known = drive_unit_known(design.limb, design.limb_digest)
+    means = label_of(scalings_on(drive_unit_known=known), design.scaling).sentence
+    if design.actuated is not None:
+        # Then amplitudes are drives of these, whatever the limb was driven by.
+        means = (
+            f"An amplitude is {lowered(amplitude_meaning(design))}, in {amplitude_unit(design)}."
+        )
     counts = facts.get("clipped_samples", [channel.clipped for channel in file.channels])
     content: dict[str, Any] = {
         "what": "SkinSource stimulus",
@@ -98,7 +104,7 @@ def sidecar_of(
         "inputs": [_about_input(track) for track in design.inputs],
         "gain": ready.gain,
         "meaning": _meaning(ready, stimulus.unit, facts),
-        "scaling_means": label_of(scalings_on(drive_unit_known=known), design.scaling).sentence,
+        "scaling_means": means,
         "predicted_through": _about_prediction(ready, design.actuated),
         **about_validity(design, file.stop),
         **(about_range(design) if ready.people else {}),
@@ -126,7 +132,7 @@ def about_validity(design: Design, stop: Stop = never) -> dict[str, Any]:
         )
     except SkinSourceError:
         return {"limb_note": None, "validity": []}
-    view = View()
+    view = View(axes=axes_on(design.limb, View().axes))
     of_levels = f" Levels: {level_label(view.span)}, {signal_label(view.axes, view.method)}."
     conditions = [
         {
