@@ -76,6 +76,18 @@ def test_drv2605l_gets_amplitudes_and_ends_off(tone, tmp_path, updates):
     assert "frequency and phase are the chip's" in sidecar(path)["loses"]
 
 
+def test_what_is_stronger_than_a_sine_at_full_scale_is_said_to_be_sent_as_one(tmp_path):
+    path = tmp_path / "a.h"
+    square = ss.waveforms.Square(frequency_hz=100.0)
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, square),))
+    done = ss.export_stimulus(design, path, "drv2605l")
+    (values,), about = arrays_of(path)[0].values(), sidecar(path)
+    # A square wave of 1 is as strong as a sine of 1.41.
+    assert values[20] / 127 * about["full_scale"] == pytest.approx(1.25, abs=0.01)
+    assert "as strong as the drive, up to full scale: " in about["meaning"]
+    assert "in 128 steps up to full scale;" in done.loses
+
+
 def test_what_is_told_of_a_chip_is_what_it_is_sent(tone, tmp_path):
     path = tmp_path / "a.h"
     ready = prepare_stimulus(tone, format_named("drv2605l"), None, ss.StimulusOptions())

@@ -166,7 +166,10 @@ class Drv2605l(StimulusFormat):
 
     def loses(self, choices: Choices) -> str:
         """Return a sentence on what is not in the file."""
-        return "Only the amplitude is sent, in 128 steps; frequency and phase are the chip's."
+        return (
+            "Only the amplitude is sent, in 128 steps up to full scale; frequency and phase are "
+            "the chip's."
+        )
 
 
 class _Fifo(StimulusFormat):

@@ -223,7 +223,7 @@ def _meaning(ready: PreparedStimulus, unit: str, facts: Facts) -> str:
     if ready.equaliser is not None:
         what = "volts, by which the actuator follows the drive as far as the equaliser lets it"
     elif not ready.format.plays_waveform:
-        what = "amplitudes of sines that are as strong as the drive"
+        what = "amplitudes of sines that are as strong as the drive, up to full scale"
     return f"{values} times {scale} are {what}: {drive}"
 
 
