@@ -60,12 +60,24 @@ def test_with_one_it_says_what_is_wired_and_when_it_was_measured(design, rig, pa
     assert about["unit"] == "m/s²"
 
 
+def test_several_files_are_as_calibrated_as_the_least_of_their_channels(design, rig, path):
+    options = ss.StimulusOptions(one_file_per_input=True)
+    done = ss.export_stimulus(design, path, rig=rig, options=options)
+    assert done.calibration == "calibrated, measured on 2026-03-01"
+    unknown = replace(rig, channels=(rig.channels[0], replace(rig.channels[1], measured=None)))
+    done = ss.export_stimulus(design, path, rig=unknown, options=options)
+    assert done.calibration == "uncalibrated: place 12 has no measured response"
+    of_files = [sidecar(each)["calibration"] for each in done.files]
+    assert of_files == ["calibrated, measured on 2026-03-04", done.calibration]
+
+
 def test_equalised_samples_are_the_volts_that_make_the_acceleration(design, rig, path):
     equaliser = RegularisedInverse(boost_db=60.0)
     done = ss.export_stimulus(
         design, path, rate_hz=RATE_HZ, rig=rig, equaliser=equaliser, options=BARE
     )
     assert done.gain == 1.0
+    assert ", full scale = that of each channel, equalised for Bench 3 " in done.summary
     # By hand: samples times volts of full scale, polarity, and m/s² for each volt.
     volts = read(path) * np.array([[2.0], [-4.0]])
     acceleration = volts * np.array([[50.0], [20.0]])

@@ -288,6 +288,8 @@ class PreparedStimulus:
     def scale_text(self) -> str:
         """The drive that full scale stands for: "full scale = 1.5 m/s²"."""
         unit = self.files[0].stimulus.unit
+        if unit == FULL_SCALE_UNIT:
+            return "full scale = that of each channel"
         return f"full scale = {self.files[0].full_scale:.3g}{'' if unit == '1' else f' {unit}'}"
 
     @property
@@ -317,7 +319,8 @@ class PreparedStimulus:
         """A sentence on whether m/s² follow from the samples."""
         if self.rig is None:
             return "uncalibrated: no rig says whether the device gives this full scale"
-        return self.files[0].calibration
+        places = [at.place for at in self.drives.channels if at.place is not None]
+        return calibration_words(self.rig, places)
 
     @property
     def objections(self) -> tuple[str, ...]:
