@@ -233,6 +233,18 @@ def test_a_rig_brings_the_actuators_that_it_knows_and_is_kept_in_files(tmp_path)
     assert edits.choose_rig(design, SEEN, blank).design == replace(design, rig=blank)
 
 
+def test_the_actuators_of_a_rig_get_no_pole_pair_of_another_one():
+    pair = ss.equalising.PolePairReplacement(*ss.equalising.resonance_of(COIL))
+    coil = ss.Actuation(actuators=(ss.ActuatorAt(actuator="Coil", model=COIL),), equaliser=pair)
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),), actuation=coil)
+    piezo = ss.rigs.RigChannel(place=7, actuator="example-piezo")
+    wired = edits.choose_rig(design, SEEN, ss.rigs.Rig(channels=(piezo,))).design
+    assert wired.actuation.equaliser == INVERSE
+    same = replace(piezo, model=COIL)
+    wired = edits.choose_rig(design, SEEN, ss.rigs.Rig(channels=(same,))).design
+    assert wired.actuation.equaliser == pair
+
+
 def test_where_a_rig_says_the_actuators_others_are_refused_and_equalisers_are_not():
     known = ss.rigs.RigChannel(place=7, actuator="example-piezo", full_scale_v=2.0)
     design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))

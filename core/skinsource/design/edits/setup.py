@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.equalising import PolePairReplacement, RegularisedInverse
 from skinsource.actuators.rigs import Rig
 from skinsource.base.conventions import ALL_AXES
 from skinsource.base.errors import InvalidInputError, SkinSourceError, lowered, quoted
@@ -230,8 +231,12 @@ def choose_rig(design: Design, view: View, rig: Rig | None) -> Edit | Refusal:
         # A rig that does not say how its actuators move leaves the choice of them.
         with suppress(InvalidInputError):
             equaliser = None if known is None else known.equaliser
-            on = design.actuated is not None
-            actuation = replace(actuation_of_rig(rig, equaliser), on=on)
+            on, wired = design.actuated is not None, actuation_of_rig(rig)
+            if known is not None and isinstance(equaliser, PolePairReplacement):
+                # Its pole pair is that of one actuator.
+                before, after = ([at.model for at in of.actuators] for of in (known, wired))
+                equaliser = equaliser if before == after else RegularisedInverse()
+            actuation = replace(wired, equaliser=equaliser, on=on)
     label = "Remove the rig" if rig is None else "Change the rig"
     return Edit(label=label, design=replace(design, actuation=actuation, rig=rig), view=view)
 
