@@ -762,12 +762,12 @@ def spectra(
     results = [
         evaluate(design, "selected_spectra", view=view)["selected_spectra"] for design in designs
     ]
-    if len({frequency.size for frequency, _ in results}) > 1:
-        raise InvalidInputError(
-            "the designs differ in length, so their spectra have other frequencies; draw each in "
-            "axes of its own"
-        )
     frequency = results[0][0]
+    if any(not np.array_equal(other, frequency) for other, _ in results):
+        raise InvalidInputError(
+            "the designs differ in length or sample rate, so their spectra have other frequencies; "
+            "draw each in axes of its own"
+        )
     low_hz, high_hz = facts_of(designs[0].limb).band_hz or (0.0, np.inf)
     within = (frequency >= low_hz) & (frequency <= high_hz)
     curves = [moving_mean(magnitude, mean_of_bins)[:, within] for _, magnitude in results]

@@ -16,7 +16,7 @@ from skinsource.base.errors import InvalidInputError, MissingExtraError
 from skinsource.base.extras import extra_line
 from skinsource.export.plot import common_range, draw_map, levels_of
 from skinsource.signals.resampling import FINER
-from tests.core.own_limbs.lab_bench import installed
+from tests.core.own_limbs.lab_bench import N_TAPS, installed
 
 DESIGN = ss.Design(
     limb="synthetic-1",
@@ -108,6 +108,22 @@ def test_limbs_that_were_not_sampled_at_the_same_times_are_not_drawn_over_each_o
     installed(sample_rate_hz=1000.0)
     with pytest.raises(InvalidInputError, match="differ in sample rate"):
         ss.plot.traces(pair, view=ss.View(axes="z"), outputs=(30,))
+
+
+def test_spectra_of_as_many_frequencies_that_are_others_are_not_drawn_over_each_other(user_data):
+    installed(sample_rate_hz=1000.0)
+    # As long in samples as on the other limb, so not in seconds.
+    published, tone = ss.load_limb("synthetic-1"), ss.waveforms.Tone(frequency_hz=100.0)
+    lengths_s = 1.0, (1300 + published.n_taps - N_TAPS) / 1000.0
+    pair = [
+        ss.Design(limb=limb, inputs=(ss.track(7, replace(tone, duration_s=length_s)),))
+        for limb, length_s in zip(("synthetic-1", "lab-1"), lengths_s, strict=True)
+    ]
+    view = ss.View(axes="z", outputs=(30,))
+    bins = [ss.result(each, "selected_spectra", view=view).values.shape[-1] for each in pair]
+    assert bins[0] == bins[1]
+    with pytest.raises(InvalidInputError, match="differ in length or sample rate"):
+        ss.plot.spectra(pair, view=view)
 
 
 def test_several_designs_lie_over_each_other_with_a_legend():
