@@ -252,8 +252,9 @@ def _check(arguments: argparse.Namespace) -> None:
     measured = arguments.measured or [None] * len(arguments.designs)
     if len(measured) != len(arguments.designs):
         raise InvalidInputError(
-            f"{counted(len(measured), 'recording')} for {counted(len(arguments.designs), 'design')}, "
-            "expected one for each. Name them in the same order."
+            f"{counted(len(measured), 'recording')} for "
+            f"{counted(len(arguments.designs), 'design')}, expected one for each. Name them in the "
+            "same order."
         )
     designs = {path: open_design(path).design for path in arguments.designs}
     with ReadingProcess() as process:

@@ -48,6 +48,7 @@ from skinsource.people import ranges
 from skinsource.perception.validity import noisy_outputs
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.windows import Windows
+from skinsource.signals.loudest_window import HOLD_WINDOW_S
 from skinsource.signals.map_range import map_range_db
 from skinsource.signals.resampling import extremes_between, finer
 from skinsource.signals.spectra import mean_of_bins as moving_mean
@@ -645,6 +646,14 @@ def annotate_scale(ax: Any, text: str) -> None:
 
 
 _WIDTH_MM, _ROW_MM, _AROUND_MM, _BELOW_MM = 130.0, 13.0, 26.0, 14.0
+# What spectra of a span are, and are over.
+_SPECTRA = {
+    "record": ("selected_spectra", "whole record"),
+    "loudest": (
+        "selected_peak_spectra",
+        f"loudest {HOLD_WINDOW_S * 1e3:.0f} ms of each frequency",
+    ),
+}
 _TRACE_QUANTITIES = "response_time_s", "axis_traces", "selected_projection"
 # With more samples a page shows no single wave, only how far waves reach: in more columns than a
 # page of two columns has dots at 600 dots per inch.
@@ -733,6 +742,9 @@ def spectra(
 ) -> Any:
     """Draw magnitude spectra of outputs in the band of the limb, a row for each.
 
+    They are those of the studio: over the whole record, or where ``view.span`` is ``"loudest"`` of
+    the loudest 250 ms of each frequency, see `skinsource.peak_hold_spectrum`.
+
     Parameters
     ----------
     mean_of_bins
@@ -759,9 +771,8 @@ def spectra(
     >>> figure = ss.plot.spectra(design, outputs=(19, 29))
     """
     designs, view = _designs(shown, labels), _checked_view(view, outputs)
-    results = [
-        evaluate(design, "selected_spectra", view=view)["selected_spectra"] for design in designs
-    ]
+    quantity, over = _SPECTRA[view.span]
+    results = [evaluate(design, quantity, view=view)[quantity] for design in designs]
     frequency = results[0][0]
     if any(not np.array_equal(other, frequency) for other, _ in results):
         raise InvalidInputError(
@@ -773,7 +784,7 @@ def spectra(
     curves = [moving_mean(magnitude, mean_of_bins)[:, within] for _, magnitude in results]
     rows = _rows(frequency[within], curves, view.outputs, normalised)
     averaged = f"; mean of {mean_of_bins} bins" if mean_of_bins > 1 else ""
-    words = "Frequency (Hz)", _scale_label(rows, normalised, view) + averaged
+    words = "Frequency (Hz)", f"{_scale_label(rows, normalised, view)}; {over}{averaged}"
     return _signals_figure(ax, rows, designs, words, labels=labels, title=title, from_zero=True)
 
 

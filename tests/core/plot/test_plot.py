@@ -143,6 +143,23 @@ def test_spectra_span_the_measured_band_and_peak_where_the_tone_is():
     assert line.get_xdata()[np.argmax(line.get_ydata())] == pytest.approx(100.0, abs=5.0)
 
 
+@pytest.mark.parametrize(
+    ("span", "quantity", "over"),
+    [
+        ("record", "selected_spectra", "whole record"),
+        ("loudest", "selected_peak_spectra", "loudest 250 ms of each frequency"),
+    ],
+)
+def test_spectra_are_those_of_the_span_and_say_it(span, quantity, over):
+    view = ss.View(axes="z", span=span, outputs=(30,))
+    frequency_hz, magnitude = ss.evaluate(DESIGN, quantity, view=view)[quantity]
+    within = (frequency_hz >= 25.0) & (frequency_hz <= 600.0)
+    ax = ss.plot.spectra(DESIGN, view=view).axes[0]
+    heights = ax.lines[-1].get_ydata()
+    np.testing.assert_allclose(heights, magnitude[0, within] / magnitude[0, within].max())
+    assert ax.texts[0].get_text().endswith(f"m/s² high; {over}")
+
+
 def test_a_strip_has_a_map_for_each_window_in_one_scale_and_the_extent():
     inputs = (ss.track(7, ss.waveforms.WaveletTrain()),)
     train = ss.Design(limb="synthetic-4", inputs=inputs, scaling="relative")
