@@ -126,6 +126,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         span_shown = float(measured.min()), float(measured.max())
         notes.append("each output relative to its largest magnitude in the measured band")
     columns = settings.relative and settings.log_magnitude
+    notes += notes_of(results, settings)[:1]
     heading = heading_of(results, each_axis=each_axis)
     return Curves(
         x=frequency_hz,

@@ -166,8 +166,10 @@ def test_a_magnitude_has_the_velocity_of_the_motion_along_its_axes():
 def test_a_line_of_a_rectified_spectrum_has_no_velocity(method, moves):
     view = replace(bench.SIGNED, method=method)
     results = bench.spectra_for(view)
-    measured = curves_of(results, SpectraSettings()).measure((50.0, 150.0))
+    curves = curves_of(results, SpectraSettings())
+    measured = curves.measure((50.0, 150.0))
     assert all(("mm/s" in line) is moves for line in measured.details)
+    assert any("rectified" in line for line in curves.about()) is not moves
 
 
 def test_what_drifts_has_no_velocity():
