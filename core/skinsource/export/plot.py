@@ -35,7 +35,7 @@ from skinsource.base.files import FilePath
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.design.comparing import range_sentences
 from skinsource.design.design import Design, View, audible_inputs
-from skinsource.design.labels import limb_label, signal_label
+from skinsource.design.labels import level_label, limb_label, signal_label
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.video import frames_per_s, video_file
 from skinsource.limbs.catalog import limb_of
@@ -243,6 +243,8 @@ def map(
 ) -> Any:
     """Draw levels over the back of hand and arm.
 
+    Of a design, text below the map says whose levels these are, along which axes, over what time.
+
     Parameters
     ----------
     shown
@@ -297,8 +299,9 @@ def map(
         )
         if is_new:
             default = "difference (dB)" if signed else _LEVEL
-            note = _map_note(levels.limb, bool(levels.noisy))
-            _finish([target], image, default if label is None else label, note)
+            notes = _told(shown, view), _map_note(levels.limb, bool(levels.noisy))
+            words = "\n".join(filter(None, notes))
+            _finish([target], image, default if label is None else label, words)
     return target.figure
 
 
@@ -385,6 +388,15 @@ def _finish(maps: list[Any], image: Any, label: str, note: str) -> None:
     bar.outline.set_linewidth(0.5)
     if note:
         figure.text(0.5, 0.01, note, ha="center", color=DIM, fontsize=6)
+
+
+def _told(shown: Design | ArrayLike, view: View | None) -> str:
+    """Return whose levels of a design these are, along which axes and over what time."""
+    if not isinstance(shown, Design):
+        return ""
+    view = View() if view is None else view
+    whose = f"{limb_label(shown.limb).title}; {signal_label(view.axes, view.method)}"
+    return f"{whose}\n{level_label(view.span)}"
 
 
 def _map_note(limb: Limb, noisy: bool) -> str:

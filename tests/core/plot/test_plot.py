@@ -43,6 +43,14 @@ def test_a_map_of_a_design_shows_its_levels_in_the_range_of_the_studio():
     assert np.isfinite(shown).all()
 
 
+def test_a_map_of_a_design_says_whose_levels_along_what_and_over_what_time():
+    (note,) = ss.plot.map(DESIGN, view=replace(MAG, span="loudest")).texts
+    told = "Synthetic 1 (175 mm); x, y, z, magnitude\nRMS over the loudest 100 ms\n"
+    assert note.get_text().startswith(told)
+    (note,) = ss.plot.map(np.zeros(72), limb="synthetic-1").texts
+    assert "RMS" not in note.get_text()
+
+
 def test_a_map_lies_where_the_outline_is_and_marks_inputs_and_outputs():
     limb = ss.load_limb("synthetic-1")
     figure = ss.plot.map(DESIGN, view=MAG, outputs=(19, 61))
