@@ -90,3 +90,12 @@ def test_a_picture_has_its_highest_row_first_and_white_where_there_is_no_skin(tm
     with path.open("wb") as file:
         write_png(file, pixels.astype(np.uint8), {})
     np.testing.assert_array_equal(read_png(path)[0], pixels)
+
+
+def test_silence_is_shown_as_silent(tmp_path, capsys):
+    quiet = ss.Design(limb="synthetic-1", inputs=(ss.track(7, amplitude=0.0),))
+    ss.save_design(tmp_path / "a.skinsource", quiet)
+    assert main(["show", str(tmp_path / "a.skinsource")]) == 0
+    said = capsys.readouterr().out
+    assert said.count("silent") == 72
+    assert "-200" not in said

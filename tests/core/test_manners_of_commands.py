@@ -97,3 +97,13 @@ def test_an_ending_that_says_something_else_is_refused(run, tmp_path, arguments,
     assert code == 1
     assert message in err
     assert [path.name for path in tmp_path.iterdir()] == ["a.skinsource"]
+
+
+@pytest.mark.parametrize("equaliser", [(), ("--equalise", "none")])
+def test_a_boost_without_an_equaliser_is_refused(run, tmp_path, equaliser):
+    ss.save_design(tmp_path / "a.skinsource", DESIGN)
+    export = "export", tmp_path / "a.skinsource", "--out", tmp_path / "a.wav", "--boost", "3"
+    code, _, err = run(*export, *equaliser)
+    assert code == 1
+    assert "--boost 3 has no equaliser that it limits" in err
+    assert not (tmp_path / "a.wav").exists()

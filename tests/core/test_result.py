@@ -3,6 +3,7 @@
 import base64
 import re
 import sys
+from dataclasses import replace
 from io import BytesIO
 
 import numpy as np
@@ -69,6 +70,27 @@ def test_a_difference_diverges_whatever_its_sign():
     assert bar.get_ylabel() == "difference (dB)"
     with pytest.raises(InvalidInputError, match="no output_levels_db of this shape"):
         ss.result(DESIGN) - ss.result(DESIGN, "output_rms")
+
+
+@pytest.mark.parametrize(
+    ("quantity", "told"),
+    [
+        ("output_levels_db", "Synthetic 1 (175 mm); x, z, magnitude; loudest 100 ms"),
+        ("record_rms", "Synthetic 1 (175 mm); x, z, magnitude"),
+        ("axis_levels_db", "Synthetic 1 (175 mm); loudest 100 ms"),
+        ("sensation_db", "Synthetic 1 (175 mm)"),
+        ("axis_traces", "Synthetic 1 (175 mm)"),
+    ],
+)
+def test_a_label_tells_axes_and_time_where_numbers_depend_on_them(quantity, told):
+    result = ss.result(DESIGN, quantity, view=replace(VIEW, span="loudest"))
+    assert result.label.partition(". ")[2] == told
+
+
+def test_the_label_of_a_difference_tells_both_people():
+    one, other = (ss.result(replace(DESIGN, limb=f"synthetic-{n}")) for n in (1, 2))
+    assert (one - other).label == f"Difference of: {one.label}; minus: {other.label}"
+    assert (one - one).label == f"Difference of: {one.label}"
 
 
 def test_what_is_no_listed_quantity_is_refused():

@@ -7,6 +7,7 @@ from typing import Any
 
 from skinsource.actuators.rigs import open_rig
 from skinsource.base.conventions import Floats
+from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import InvalidInputError, counted, escaped, printable
 from skinsource.base.files import make_folder
 from skinsource.design.amplitudes import amplitude_note, amplitude_text, is_gain
@@ -195,7 +196,8 @@ def _level_lines(design: Design, view: View, levels_db: Floats) -> list[str]:
     ]
     for number, level_db in enumerate(levels_db.tolist(), start=1):
         name = output_name(number, design.limb).name
-        lines.append(f"  {number:6}  {level_db:12.1f}  {name}".rstrip())
+        level = f"{level_db:.1f}" if level_db > FLOOR_DB else "silent"
+        lines.append(f"  {number:6}  {level:>12}  {name}".rstrip())
     return lines
 
 
@@ -252,8 +254,9 @@ def _check(arguments: argparse.Namespace) -> None:
     measured = arguments.measured or [None] * len(arguments.designs)
     if len(measured) != len(arguments.designs):
         raise InvalidInputError(
-            f"{len(measured)} recordings for {len(arguments.designs)} designs, expected one for "
-            "each. Name them in the same order."
+            f"{counted(len(measured), 'recording')} for "
+            f"{counted(len(arguments.designs), 'design')}, expected one for each. Name them in the "
+            "same order."
         )
     designs = {path: open_design(path).design for path in arguments.designs}
     with ReadingProcess() as process:

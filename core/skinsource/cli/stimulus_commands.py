@@ -7,6 +7,7 @@ from typing import Any
 
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import Rig, open_rig, save_rig
+from skinsource.base.errors import InvalidInputError
 from skinsource.base.files import make_folder
 from skinsource.cli.help_format import HelpFormatter, given
 from skinsource.design.design_file import open_design
@@ -227,6 +228,11 @@ def _export_set(arguments: argparse.Namespace, made_for: dict[str, Any]) -> int:
 
 def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | Nothing | None:
     if arguments.equalise in (None, "none"):
+        if arguments.boost is not None:
+            raise InvalidInputError(
+                f"--boost {arguments.boost:g} has no equaliser that it limits, expected --equalise "
+                "linear or minimum, too"
+            )
         return arguments.equalise
     boost = {} if arguments.boost is None else {"boost_db": arguments.boost}
     return RegularisedInverse(phase=arguments.equalise, **boost)

@@ -35,7 +35,7 @@ from skinsource.base.files import FilePath
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.design.comparing import range_sentences
 from skinsource.design.design import Design, View, audible_inputs
-from skinsource.design.labels import limb_label, signal_label
+from skinsource.design.labels import level_label, limb_label, signal_label
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.video import frames_per_s, video_file
 from skinsource.limbs.catalog import limb_of
@@ -48,6 +48,7 @@ from skinsource.people import ranges
 from skinsource.perception.validity import noisy_outputs
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.windows import Windows
+from skinsource.signals.loudest_window import HOLD_WINDOW_S
 from skinsource.signals.map_range import map_range_db
 from skinsource.signals.resampling import extremes_between, finer
 from skinsource.signals.spectra import mean_of_bins as moving_mean
@@ -242,6 +243,8 @@ def map(
 ) -> Any:
     """Draw levels over the back of hand and arm.
 
+    Of a design, text below the map says whose levels these are, along which axes, over what time.
+
     Parameters
     ----------
     shown
@@ -296,8 +299,9 @@ def map(
         )
         if is_new:
             default = "difference (dB)" if signed else _LEVEL
-            note = _map_note(levels.limb, bool(levels.noisy))
-            _finish([target], image, default if label is None else label, note)
+            notes = _told(shown, view), _map_note(levels.limb, bool(levels.noisy))
+            words = "\n".join(filter(None, notes))
+            _finish([target], image, default if label is None else label, words)
     return target.figure
 
 
@@ -384,6 +388,15 @@ def _finish(maps: list[Any], image: Any, label: str, note: str) -> None:
     bar.outline.set_linewidth(0.5)
     if note:
         figure.text(0.5, 0.01, note, ha="center", color=DIM, fontsize=6)
+
+
+def _told(shown: Design | ArrayLike, view: View | None) -> str:
+    """Return whose levels of a design these are, along which axes and over what time."""
+    if not isinstance(shown, Design):
+        return ""
+    view = View() if view is None else view
+    whose = f"{limb_label(shown.limb).title}; {signal_label(view.axes, view.method)}"
+    return f"{whose}\n{level_label(view.span)}"
 
 
 def _map_note(limb: Limb, noisy: bool) -> str:
@@ -645,6 +658,14 @@ def annotate_scale(ax: Any, text: str) -> None:
 
 
 _WIDTH_MM, _ROW_MM, _AROUND_MM, _BELOW_MM = 130.0, 13.0, 26.0, 14.0
+# What spectra of a span are, and are over.
+_SPECTRA = {
+    "record": ("selected_spectra", "whole record"),
+    "loudest": (
+        "selected_peak_spectra",
+        f"loudest {HOLD_WINDOW_S * 1e3:.0f} ms of each frequency",
+    ),
+}
 _TRACE_QUANTITIES = "response_time_s", "axis_traces", "selected_projection"
 # With more samples a page shows no single wave, only how far waves reach: in more columns than a
 # page of two columns has dots at 600 dots per inch.
@@ -733,6 +754,9 @@ def spectra(
 ) -> Any:
     """Draw magnitude spectra of outputs in the band of the limb, a row for each.
 
+    They are those of the studio: over the whole record, or where ``view.span`` is ``"loudest"`` of
+    the loudest 250 ms of each frequency, see `skinsource.peak_hold_spectrum`.
+
     Parameters
     ----------
     mean_of_bins
@@ -759,21 +783,20 @@ def spectra(
     >>> figure = ss.plot.spectra(design, outputs=(19, 29))
     """
     designs, view = _designs(shown, labels), _checked_view(view, outputs)
-    results = [
-        evaluate(design, "selected_spectra", view=view)["selected_spectra"] for design in designs
-    ]
-    if len({frequency.size for frequency, _ in results}) > 1:
-        raise InvalidInputError(
-            "the designs differ in length, so their spectra have other frequencies; draw each in "
-            "axes of its own"
-        )
+    quantity, over = _SPECTRA[view.span]
+    results = [evaluate(design, quantity, view=view)[quantity] for design in designs]
     frequency = results[0][0]
+    if any(not np.array_equal(other, frequency) for other, _ in results):
+        raise InvalidInputError(
+            "the designs differ in length or sample rate, so their spectra have other frequencies; "
+            "draw each in axes of its own"
+        )
     low_hz, high_hz = facts_of(designs[0].limb).band_hz or (0.0, np.inf)
     within = (frequency >= low_hz) & (frequency <= high_hz)
     curves = [moving_mean(magnitude, mean_of_bins)[:, within] for _, magnitude in results]
     rows = _rows(frequency[within], curves, view.outputs, normalised)
     averaged = f"; mean of {mean_of_bins} bins" if mean_of_bins > 1 else ""
-    words = "Frequency (Hz)", _scale_label(rows, normalised, view) + averaged
+    words = "Frequency (Hz)", f"{_scale_label(rows, normalised, view)}; {over}{averaged}"
     return _signals_figure(ax, rows, designs, words, labels=labels, title=title, from_zero=True)
 
 

@@ -14,8 +14,9 @@ from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.extras import package_of_extra
 from skinsource.design.design import Design, View
-from skinsource.design.labels import limb_label, signal_label
+from skinsource.design.labels import limb_label, signal_label, span_label
 from skinsource.engine.evaluation import Quantity, evaluate, quantities
+from skinsource.engine.quantities import new_graph
 from skinsource.export import plot
 
 
@@ -69,7 +70,8 @@ class Result:
             self,
             values=self.values - other.values,
             unit="dB" if self.unit.startswith("dB") else self.unit,
-            label=f"Difference of: {self.label}",
+            label=f"Difference of: {self.label}"
+            + ("" if other.label == self.label else f"; minus: {other.label}"),
             is_difference=True,
         )
 
@@ -189,11 +191,16 @@ def result(
         "rows": surface.y_mm,
         "columns": surface.x_mm,
     }
-    signal = signal_label(view.axes, view.method)
+    depends = new_graph().upstream_of({quantity})
+    seen = [
+        f"{about.about} {limb_label(design.limb).title}",
+        *([signal_label(view.axes, view.method)] if _projected(quantity, depends) else []),
+        *([span_label(view.span)] if "span" in depends else []),
+    ]
     return Result(
         name=quantity,
         unit=about.unit,
-        label=f"{about.about} {limb_label(design.limb).title}; {signal}",
+        label="; ".join(seen),
         values=array,
         axes={name: along[name] for name in about.shape},
         design=design,
@@ -210,6 +217,11 @@ _ALL_AXES = (
     "selected_axis_spectra",
     "selected_axis_peak_spectra",
 )
+
+
+def _projected(quantity: str, depends: frozenset[str]) -> bool:
+    """Return whether axes became one signal, in a quantity that ``depends`` on others."""
+    return "method" in depends and quantity not in _ALL_AXES
 
 
 def _chosen(values: dict[str, Any]) -> list[str]:

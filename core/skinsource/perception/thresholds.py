@@ -373,6 +373,8 @@ def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
 #: Frequencies and qualities of Wh (ISO 5349-1:2001, annex A): band limits, transition.
 _F1_HZ, _F2_HZ, _F3_HZ, _F4_HZ = 6.310, 1258.9, 15.915, 15.915
 _Q1, _Q2 = 0.71, 0.64
+# Its slowest part, at 6.3 Hz, has died away to rounding.
+_WH_RINGS_S = 1.0
 
 
 def hand_arm_weighting(frequency_hz: Floats) -> Complexes:
@@ -389,21 +391,23 @@ def hand_arm_weighting(frequency_hz: Floats) -> Complexes:
 
 
 def weighted_rms(acceleration: Floats, sample_rate_hz: float) -> float:
-    """Return the RMS of an acceleration through Wh, m/s².
+    """Return the RMS of an acceleration through Wh over its samples, m/s².
 
     On the bins of the transform, so that no digital filter warps the response near half the rate.
 
     Parameters
     ----------
     acceleration : (n_times,)
-        Of the surface at the contact, m/s².
+        Of the surface at the contact, m/s²; silent before and after, where what the filter rings
+        counts too.
     sample_rate_hz
         Its rate.
     """
     n_times = acceleration.size
-    spectrum = scipy.fft.rfft(acceleration)
-    frequency_hz = np.arange(spectrum.size, dtype=np.float64) * (sample_rate_hz / n_times)
+    n_fft = scipy.fft.next_fast_len(n_times + math.ceil(_WH_RINGS_S * sample_rate_hz), real=True)
+    spectrum = scipy.fft.rfft(acceleration, n_fft)
+    frequency_hz = np.arange(spectrum.size, dtype=np.float64) * (sample_rate_hz / n_fft)
     weight = np.abs(hand_arm_weighting(frequency_hz))
     power = np.square(np.abs(spectrum) * weight)
-    power[1 : (n_times + 1) // 2] *= 2.0
-    return float(np.sqrt(power.sum()) / n_times)
+    power[1 : (n_fft + 1) // 2] *= 2.0
+    return float(np.sqrt(power.sum() / n_fft / n_times))

@@ -74,7 +74,7 @@ class AnalysisPanel(Panel):
         self.choice = named(ChoiceField(SHOWN, self), f"{self.name}_view")
         self.choice.edited.connect(self._choose)
         self.answer = NoteLabel(f"{self.name}_answer")
-        self.copy = CopyButton(self.name, lambda: self.view.table_text(), self)
+        self.copy = CopyButton(self.name, self._numbers, self)
         margins = UNIT_PX // 2, 1, UNIT_PX // 2, 1
         choice = in_row((self.choice, 1), self.copy, margins=margins, gap_px=UNIT_PX // 2)
         answer = in_row((self.answer, 1), margins=(UNIT_PX, 1, UNIT_PX, 2))
@@ -131,6 +131,10 @@ class AnalysisPanel(Panel):
         if self.view is not before:
             self.view.show_state(*self._state)
             self.visibility_changed.emit()
+
+    def _numbers(self) -> str:
+        table, words = self.view.table_text(), self.view.words
+        return f"{table}# {words}\n" if table and words else table
 
     def _choose(self, name: str, _gesture: int | None) -> None:
         settings = AnalysisSettings(shown=name)

@@ -256,6 +256,10 @@ class PerceptionView(OutputTableView):
         self.limits.setText(_limits(self.settings, self._sensation, self._matched))
         super().say_instead(message)
 
+    @property
+    def words(self) -> str:
+        return self.limits.text()
+
     def table_text(self) -> str:
         if self._sensation is None:
             return ""

@@ -284,6 +284,10 @@ class RegionsView(AnalysisView):
         self.show_stale(any(person.is_stale for person in compared))
         self._show_columns()
 
+    @property
+    def words(self) -> str:
+        return self.about.whole
+
     def table_text(self) -> str:
         return table_text(self.columns)
 

@@ -132,5 +132,9 @@ class StatisticsView(OutputTableView):
         self.about.say("")
         super().say_instead(message)
 
+    @property
+    def words(self) -> str:
+        return self.about.whole
+
     def table_text(self) -> str:
         return table_text(self.rows)

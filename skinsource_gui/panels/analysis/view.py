@@ -41,6 +41,11 @@ class AnalysisView(OutputsPanel):
         """Return the numbers, with tabs between the columns; "" where there are none."""
         return ""
 
+    @property
+    def words(self) -> str:
+        """What the numbers are: axes, time, reference; it is copied below them."""
+        return ""
+
     def offer_copy(self, exists: bool) -> None:
         """Say whether there are numbers to copy."""
         self.has_table = exists
@@ -94,6 +99,10 @@ class FigureView(AnalysisView):
     def picture_text(self) -> str:
         """Text above the figure in a picture: what is chosen there."""
         return "" if self._above is None else self._above.whole
+
+    @property
+    def words(self) -> str:
+        return self.picture_text
 
     def draw_picture(
         self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT

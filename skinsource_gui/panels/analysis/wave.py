@@ -146,7 +146,7 @@ class WaveView(FigureView):
         if content is None or self.picture.message:
             return ""
         wave = content.wave
-        header = ("output", "way_mm", "delay_ms", f"level_{content.axis}_db", "alike")
+        header = ("output", "way_mm", "delay_ms", f"level_{content.axis}_db_re_1_m_per_s2", "alike")
         lines = (
             (
                 str(output),

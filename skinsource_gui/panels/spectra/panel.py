@@ -126,6 +126,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         span_shown = float(measured.min()), float(measured.max())
         notes.append("each output relative to its largest magnitude in the measured band")
     columns = settings.relative and settings.log_magnitude
+    notes += notes_of(results, settings)[:1]
     heading = heading_of(results, each_axis=each_axis)
     return Curves(
         x=frequency_hz,
@@ -160,6 +161,8 @@ def measured_between(
     # Of what rings longer than the record there are more lines.
     finer = results["response_samples"] / results["record_samples"]
     of_what = " of the unsmoothed spectrum" if settings.averaged else ""
+    # Lines of a rectified signal are those of no motion.
+    rectified = bool(notes_of(results, settings))
     rows = []
     for lines, curve in zip(exact, curves, strict=True):
         at = int(curve.argmax())
@@ -169,7 +172,7 @@ def measured_between(
         rms = float(np.sqrt(np.sum(np.square(lines)) / 2.0 / finer)) if span == "record" else None
         moves = (
             f", {significant(peak / omega * 1e3)} mm/s, {significant(peak / omega**2 * 1e6)} µm"
-            if omega
+            if omega and not rectified
             else ""
         )
         text = f"peak {significant(peak)} m/s² at {significant(at_hz)} Hz"

@@ -48,6 +48,27 @@ def test_the_hand_arm_weighting_is_that_of_the_table(frequency_hz, gain):
     assert np.abs(hand_arm_weighting(frequency_hz)) == pytest.approx(gain, rel=0.006)
 
 
+@pytest.mark.parametrize(
+    ("waveform", "density", "duration_s"),
+    [
+        # Spectral densities, and how long each moves.
+        (ss.waveforms.Impulse(), lambda f: np.ones_like(f) / 1300.0, 1 / 1300.0),
+        (
+            ss.waveforms.Formula(text="1", duration_s=0.3),
+            lambda f: np.sin(np.pi * f * 0.3) / np.sin(np.pi * f / 1300.0) / 1300.0,
+            0.3,
+        ),
+    ],
+)
+def test_what_a_short_contact_leaves_in_the_weighting_is_counted(waveform, density, duration_s):
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(8, waveform),))
+    [(_, weighted)] = ss.evaluate(design, "contact_weighted_rms")["contact_weighted_rms"]
+    frequency_hz = np.linspace(1e-3, 650.0, 650_001)
+    power = np.square(density(frequency_hz) * np.abs(hand_arm_weighting(frequency_hz)))
+    energy = 2.0 * np.trapezoid(power, frequency_hz)
+    assert weighted == pytest.approx(np.sqrt(energy / duration_s), rel=1e-4)
+
+
 def test_the_contact_alone_is_weighted_in_probe_scaling_and_behind_no_actuator():
     design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, amplitude=3.0, onset_s=0.5),))
     [(place, weighted)] = ss.evaluate(design, "contact_weighted_rms")["contact_weighted_rms"]

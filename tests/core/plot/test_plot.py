@@ -16,7 +16,7 @@ from skinsource.base.errors import InvalidInputError, MissingExtraError
 from skinsource.base.extras import extra_line
 from skinsource.export.plot import common_range, draw_map, levels_of
 from skinsource.signals.resampling import FINER
-from tests.core.own_limbs.lab_bench import installed
+from tests.core.own_limbs.lab_bench import N_TAPS, installed
 
 DESIGN = ss.Design(
     limb="synthetic-1",
@@ -41,6 +41,14 @@ def test_a_map_of_a_design_shows_its_levels_in_the_range_of_the_studio():
     inside = surface.interpolate(levels)
     np.testing.assert_array_equal(shown[surface.mask], inside[surface.mask])
     assert np.isfinite(shown).all()
+
+
+def test_a_map_of_a_design_says_whose_levels_along_what_and_over_what_time():
+    (note,) = ss.plot.map(DESIGN, view=replace(MAG, span="loudest")).texts
+    told = "Synthetic 1 (175 mm); x, y, z, magnitude\nRMS over the loudest 100 ms\n"
+    assert note.get_text().startswith(told)
+    (note,) = ss.plot.map(np.zeros(72), limb="synthetic-1").texts
+    assert "RMS" not in note.get_text()
 
 
 def test_a_map_lies_where_the_outline_is_and_marks_inputs_and_outputs():
@@ -110,6 +118,22 @@ def test_limbs_that_were_not_sampled_at_the_same_times_are_not_drawn_over_each_o
         ss.plot.traces(pair, view=ss.View(axes="z"), outputs=(30,))
 
 
+def test_spectra_of_as_many_frequencies_that_are_others_are_not_drawn_over_each_other(user_data):
+    installed(sample_rate_hz=1000.0)
+    # As long in samples as on the other limb, so not in seconds.
+    published, tone = ss.load_limb("synthetic-1"), ss.waveforms.Tone(frequency_hz=100.0)
+    lengths_s = 1.0, (1300 + published.n_taps - N_TAPS) / 1000.0
+    pair = [
+        ss.Design(limb=limb, inputs=(ss.track(7, replace(tone, duration_s=length_s)),))
+        for limb, length_s in zip(("synthetic-1", "lab-1"), lengths_s, strict=True)
+    ]
+    view = ss.View(axes="z", outputs=(30,))
+    bins = [ss.result(each, "selected_spectra", view=view).values.shape[-1] for each in pair]
+    assert bins[0] == bins[1]
+    with pytest.raises(InvalidInputError, match="differ in length or sample rate"):
+        ss.plot.spectra(pair, view=view)
+
+
 def test_several_designs_lie_over_each_other_with_a_legend():
     louder = DESIGN.with_input(0, amplitude=2.0)
     figure = ss.plot.traces([DESIGN, louder], outputs=(30,), labels=["soft", "loud"])
@@ -125,6 +149,23 @@ def test_spectra_span_the_measured_band_and_peak_where_the_tone_is():
     assert line.get_xdata().min() >= 25.0
     assert line.get_xdata().max() <= 600.0
     assert line.get_xdata()[np.argmax(line.get_ydata())] == pytest.approx(100.0, abs=5.0)
+
+
+@pytest.mark.parametrize(
+    ("span", "quantity", "over"),
+    [
+        ("record", "selected_spectra", "whole record"),
+        ("loudest", "selected_peak_spectra", "loudest 250 ms of each frequency"),
+    ],
+)
+def test_spectra_are_those_of_the_span_and_say_it(span, quantity, over):
+    view = ss.View(axes="z", span=span, outputs=(30,))
+    frequency_hz, magnitude = ss.evaluate(DESIGN, quantity, view=view)[quantity]
+    within = (frequency_hz >= 25.0) & (frequency_hz <= 600.0)
+    ax = ss.plot.spectra(DESIGN, view=view).axes[0]
+    heights = ax.lines[-1].get_ydata()
+    np.testing.assert_allclose(heights, magnitude[0, within] / magnitude[0, within].max())
+    assert ax.texts[0].get_text().endswith(f"m/s² high; {over}")
 
 
 def test_a_strip_has_a_map_for_each_window_in_one_scale_and_the_extent():

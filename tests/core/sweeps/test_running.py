@@ -44,6 +44,15 @@ def sweep(out, progress=silent, stop=never):
     return ss.sweep(DESIGN, vary, out=out, progress=progress, stop=stop)
 
 
+def test_a_varied_duration_and_that_of_the_stimulus_are_columns_of_their_own(tmp_path):
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE, onset_s=0.1),))
+    table = ss.sweep(design, {"duration_s": (0.05, 0.1)}, out=tmp_path)
+    assert len(set(table.columns)) == len(table.columns)
+    assert table.column("duration_s").tolist() == [0.05, 0.1]
+    assert table.column("stimulus_duration_s") == pytest.approx([0.15, 0.2])
+    assert [float(row["stimulus_duration_s"]) for row in csv_rows(tmp_path)] == [0.15, 0.2]
+
+
 def test_the_table_has_a_row_for_each_stimulus(tmp_path):
     table = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path, outputs=(19,))
     assert table.column("stimulus").tolist() == [1, 2, 3, 4, 5, 6]

@@ -134,6 +134,22 @@ def test_the_table_is_copied_with_numbers_that_read_back(show, window):
     assert QGuiApplication.clipboard().text().splitlines() == [header, *below]
 
 
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("statistics", "x, z, magnitude · RMS: loudest 100 ms"),
+        ("wave", "Along z: distance on the map, group delay"),
+        ("perception", "people differ by 6 to 10 dB"),
+        ("regions", "RMS in dB re 1 m/s², x, z, magnitude · loudest 100 ms"),
+    ],
+)
+def test_what_numbers_are_is_copied_below_them(show, window, qtbot, name, words):
+    show(name, axes="xz", method="mag", span="loudest")
+    qtbot.waitUntil(window.panel("analysis").copy.isEnabled, timeout=60_000)
+    below = [line for line in copied(window).splitlines() if line.startswith("# ")]
+    assert sum(words in line for line in below) == 1
+
+
 def test_floor_and_ceiling_zoom_without_computing(show, window, settle):
     panel = show("spectrogram")
     runs = window.engine._graphs[FIRST_SLOT].runs
@@ -390,7 +406,7 @@ def test_the_wave_is_copied_in_millimetres_and_milliseconds(show, window):
     wave = evaluate(document.design, "line_wave", view=document.view)["line_wave"].wave
     assert numbers["way_mm"].astype(float) == pytest.approx(1e3 * wave.distance_m)
     assert numbers["delay_ms"].astype(float) == pytest.approx(1e3 * wave.delay_s)
-    assert numbers["level_z_db"].astype(float) == pytest.approx(wave.level_db)
+    assert numbers["level_z_db_re_1_m_per_s2"].astype(float) == pytest.approx(wave.level_db)
     # About 95 mm along the finger and the hand.
     assert 50.0 < numbers["way_mm"].astype(float)[-1] < 200.0
     for diagram, title in ((0, "Delay (ms)"), (1, "Level z (dB)")):

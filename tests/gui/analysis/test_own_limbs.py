@@ -72,7 +72,7 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     wave = panels["wave"]
     axis = "x" if one_axis else "z"
     assert wave.about.whole.startswith(f"Along {axis}")
-    assert f"level_{axis}_db" in wave.table_text()
+    assert f"level_{axis}_db_re_1_m_per_s2" in wave.table_text()
     if one_axis:
         assert "measured along one only" in panels["main_axis"].figure.message
     else:

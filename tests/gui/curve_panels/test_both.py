@@ -151,6 +151,27 @@ def test_a_sine_has_the_velocity_and_the_displacement_of_the_textbook():
     assert found.displacement[0] == pytest.approx(2.0 / omega**2, rel=1e-3)
 
 
+def test_a_magnitude_has_the_velocity_of_the_motion_along_its_axes():
+    time_s = np.arange(2600) / 1300
+    omega = 2 * np.pi * 130.0
+    axes = np.array([3.0, 4.0])[:, None] * np.sin(omega * time_s)
+    magnitude = np.hypot(*axes)[None]
+    found = interval_of(magnitude, time_s, (0.8, 1.2), 25.0, axes[None])
+    assert found.peak[0] == pytest.approx(5.0, rel=1e-3)
+    assert found.velocity[0] == pytest.approx(5.0 / omega, rel=1e-3)
+    assert found.displacement[0] == pytest.approx(5.0 / omega**2, rel=1e-3)
+
+
+@pytest.mark.parametrize(("method", "moves"), [("pca", True), ("mag", False)])
+def test_a_line_of_a_rectified_spectrum_has_no_velocity(method, moves):
+    view = replace(bench.SIGNED, method=method)
+    results = bench.spectra_for(view)
+    curves = curves_of(results, SpectraSettings())
+    measured = curves.measure((50.0, 150.0))
+    assert all(("mm/s" in line) is moves for line in measured.details)
+    assert any("rectified" in line for line in curves.about()) is not moves
+
+
 def test_what_drifts_has_no_velocity():
     time_s = np.arange(1300) / 1300
     found = interval_of(np.ones((1, 1300)), time_s, (0.4, 0.6), 25.0)

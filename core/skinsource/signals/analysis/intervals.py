@@ -89,19 +89,22 @@ def interval_of(
     lowest_hz
         Velocity and displacement have nothing slower, see `integrated`.
     waves : (n_signals, n_axes, n_times), optional
-        The axes of magnitudes, m/s²: magnitudes themselves have no values between samples.
+        The axes of magnitudes, m/s²: magnitudes themselves have no values between samples, and no
+        integral.
     """
     first, last = np.searchsorted(time_s, between_s)
     first = min(first, time_s.size - 1)
     last = max(last, first)
     ends = first, max(last, first + 1)
     rate = (time_s.size - 1) / (time_s[-1] - time_s[0])
+    # The length of a velocity is no integral of the length of an acceleration.
+    moving = acceleration if waves is None else waves
     velocity, displacement = (
-        peaks_between(integrated(acceleration, rate, lowest_hz, times), *ends) for times in (1, 2)
+        peaks_between(integrated(moving, rate, lowest_hz, times), *ends) for times in (1, 2)
     )
     samples = acceleration[:, first : last + 1]
     return Interval(
-        peak=peaks_between(acceleration if waves is None else waves, *ends),
+        peak=peaks_between(moving, *ends),
         rms=np.sqrt(np.mean(np.square(samples), axis=-1)),
         velocity=velocity,
         displacement=displacement,

@@ -56,7 +56,8 @@ class SweepTable:
     Attributes
     ----------
     columns
-        ``"stimulus"`` (a number from 1), the variables, the metrics and ``"error"``.
+        ``"stimulus"`` (a number from 1), the variables, the metrics and ``"error"``, all different:
+        where ``"duration_s"`` is varied, the metric is called ``"stimulus_duration_s"``.
     rows
         As many values each.  Where a stimulus could not be measured its metrics are NaN and the
         error says why; else that is empty.
@@ -112,7 +113,9 @@ def table_of(plan: Plan, outcomes: dict[int, Metrics | str]) -> SweepTable:
         )
         for number in sorted(outcomes)
     ]
-    return SweepTable(("stimulus", *plan.names, *metrics, ERROR), tuple(rows))
+    # What is varied may be called as a metric is: the duration of a clip, and of the stimulus.
+    names = (f"stimulus_{name}" if name in plan.names else name for name in metrics)
+    return SweepTable(("stimulus", *plan.names, *names, ERROR), tuple(rows))
 
 
 def write_csv(table: SweepTable, path: Path) -> None:
