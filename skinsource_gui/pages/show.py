@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6 import QtWidgets
 from PySide6.QtCore import Qt, Signal
 
-from skinsource.base.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError, sentence
 from skinsource.design.design import View
 from skinsource.design.design_file import (
     SENTENCE,
@@ -108,14 +108,18 @@ class ShowPage(ToolPage):
         folder = str(self._preferences.folder)
         names, _ = QtWidgets.QFileDialog.getOpenFileNames(self, "Add designs", folder, _DESIGNS)
         self.say("")
+        entries, problems = [], []
         for path in map(Path, names):
             try:
                 content = open_design(path)
             except SkinSourceError as error:
-                self.complain(str(error))
+                problems.append(sentence(str(error)))
                 continue
             title = content.design.title or path.stem
-            self._add([ShowEntry.of(content.design, content.view, title)])
+            entries.append(ShowEntry.of(content.design, content.view, title))
+        self._add(entries)
+        if problems:
+            self.complain(" ".join(problems))
 
     def add_scene(self, name: str) -> None:
         """Add a scene of the paper, on the limbs that there are."""

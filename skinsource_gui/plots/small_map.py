@@ -622,11 +622,12 @@ class ColourScale:
 
 def scale_of_levels(levels_db: Floats, look: LevelStyle) -> ColourScale:
     """Return the scale of RMS levels; its text tells where the user has fixed the range."""
-    fixed = look.map_range_db is not None
+    fixed = look.map_range_db
     return ColourScale(
-        range_db=look.map_range_db or map_range_db(levels_db),
+        range_db=fixed or map_range_db(levels_db),
         text_below=f"{_LEVELS} · {FIXED_MARK}" if fixed else _LEVELS,
         colours=look.colours,
+        reached_db=(fixed[0], float(np.max(levels_db, initial=FLOOR_DB))) if fixed else None,
     )
 
 

@@ -20,6 +20,7 @@ from skinsource.design.waveforms import Layers, Tap, Tone
 from skinsource.inverse.aiming import aim, aim_of, ways
 from skinsource.inverse.focusing import Wish
 from skinsource_gui.panels.target.panel import TargetPanel, head_text, over_text, row_of
+from tests.core.own_limbs.lab_bench import N_INPUTS, installed
 from tests.gui.panel_host import PanelHost
 from tests.gui.timeline.bench import LanesBench
 
@@ -281,6 +282,16 @@ def test_what_cannot_be_solved_plays_nothing_and_says_why(at_target):
     document.apply(edits.change_scaling(document.design, document.view, "probe"))
     window.settle_target()
     assert len(document.design.inputs) == 16
+
+
+def test_on_a_limb_without_its_axis_a_target_counts_along_all_that_there_are(at_target, user_data):
+    installed(axes="x")
+    window = at_target(design=Design(limb="lab-1"))
+    stroke(window, 3)
+    panel = window.panel(TARGET)
+    assert target_of(window).places == tuple(range(1, N_INPUTS + 1))
+    assert "1 m/s² along x at the strong outputs" in panel.about.text()
+    assert panel.people_head.text().endswith("over the loudest other along x")
 
 
 @pytest.mark.parametrize("limb", ["measured-1", "lab-9"])

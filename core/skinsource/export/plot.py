@@ -834,14 +834,19 @@ def _waves(
     low, high = range_s or (float(time_s[0]), float(time_s[-1]))
     within = np.flatnonzero((time_s >= low) & (time_s <= high))
     if not within.size:
-        raise InvalidInputError(
-            f"view.time_range_s is {quoted(range_s)}, expected times between {time_s[0]:g} and "
-            f"{time_s[-1]:g} s"
-        )
+        raise _beside(range_s, time_s)
     first, end = int(within[0]), int(within[-1]) + 1
     points_of = _wave_points if end - first <= _MOST_JOINED else _wave_extremes
     points = [points_of(result, time_s, first, end) for result in results]
     return points[0][0], [curves for _, curves in points]
+
+
+def _beside(range_s: Range | None, time_s: Floats) -> InvalidInputError:
+    """Return what is raised for a range of times without any of a response."""
+    return InvalidInputError(
+        f"view.time_range_s is {quoted(range_s)}, expected times between {time_s[0]:g} and "
+        f"{time_s[-1]:g} s"
+    )
 
 
 def _wave_points(
@@ -1160,7 +1165,8 @@ def film(
     Raises
     ------
     InvalidInputError
-        The ending is unknown, the film is too fast or too long, or the limb has no z axis.
+        The ending is unknown, the film is too fast or too long, it shows no time of the response,
+        or the limb has no z axis.
     MissingExtraError
         matplotlib or imageio-ffmpeg is not installed.
     StorageError, Stopped
@@ -1185,6 +1191,8 @@ def film(
     time_s, limb = values["response_time_s"], values["limb_data"]
     slower = _slow_motion(limb, quantity, per_s, slow_motion)
     first_s, last_s = view.time_range_s or (0.0, float(time_s[-1]))
+    if last_s < time_s[0] or first_s > time_s[-1]:
+        raise _beside(view.time_range_s, time_s)
     # The last instant belongs to the film, however its seconds are rounded.
     count = int((last_s - first_s) * per_s * slower + 1e-6) + 1
     if count > MOST_FRAMES:

@@ -179,7 +179,8 @@ def aim_of(design: Design) -> Aim:
 
 def _band_of(target: Target, limb: Limb) -> tuple[Band, Floats, Floats]:
     """Return where a waveform is driven, the bins with energy there, and the share of each."""
-    known = responses_of(limb, inputs=(1,)).frequencies_hz
+    axes = axes_on(limb.name, target.axes)
+    known = responses_of(limb, axes=axes, inputs=(1,)).frequencies_hz
     all_hz = bins_of(n_fft_of(limb.n_taps), limb.sample_rate_hz)
     pieces = _pieces(limb, target.waveform.samples(limb.sample_rate_hz), all_hz)
     everywhere = np.square(np.abs(pieces)).sum(axis=0)

@@ -95,7 +95,7 @@ class MapContent:
     value_range, fixed
         Values of the lowest and the highest colour; whether they were chosen, and stay.
     exceeded
-        Whether a moving wave goes beyond them, with the colour of the end.
+        Whether something goes beyond the highest, with its colour; signed values beyond both.
     colours
         Name of the colour map.
     outputs
@@ -268,6 +268,10 @@ def content_of(
     source = "" if problem else _source_note(limb_data)
     chosen, known = chosen_range(settings), results.get(_NAMES[settings.quantity][0])
     value_range = chosen or _automatic_range(results, settings, compared, steady or SteadyRange())
+    if quantity.signed:
+        exceeded = known is not None and known.largest > value_range[1]
+    else:
+        exceeded = chosen is not None and _loudest_db(results, settings) > value_range[1]
     shown_limbs = {limb, design.limb}
     strong, quiet = painted_in(design, view)
     return MapContent(
@@ -280,7 +284,7 @@ def content_of(
         quantity=quantity,
         value_range=value_range,
         fixed=chosen is not None,
-        exceeded=quantity.signed and known is not None and known.largest > value_range[1],
+        exceeded=exceeded,
         colours=DIVERGING if quantity.signed else settings.colours,
         outputs=view.outputs,
         strong=strong,

@@ -271,11 +271,12 @@ class ColourBar(QtWidgets.QWidget):
 
 def scale_of(content: MapContent) -> ColourScale:
     """Return the scale of the colours of a map."""
+    signed, (low, high) = content.quantity.signed, content.value_range
     return ColourScale(
-        range_db=content.value_range,
+        range_db=(low, high),
         text_below=content.quantity.unit,
         colours=content.colours,
-        signed=content.quantity.signed,
+        signed=signed,
         # By how much is not said: the strip is painted once for all steps of the knob.
-        reached_db=(-inf, inf) if content.exceeded else None,
+        reached_db=(-inf if signed else low, inf) if content.exceeded else None,
     )

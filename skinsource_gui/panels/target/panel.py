@@ -31,7 +31,7 @@ from skinsource.design.target import BETA, Target, target_in
 from skinsource.design.waveforms.samples import Layers
 from skinsource.inverse.aiming import DEEPEST_DB, Way
 from skinsource.limbs.locations import output_name
-from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource.specs.numbers import ModelSpec
 from skinsource_gui.fields.editor import Burst, new_gesture
 from skinsource_gui.fields.editors import new_editor
@@ -261,7 +261,8 @@ class TargetPanel(FoundPanel):
         self.said.setText(minus(" ".join(shown.said)))
         set_tone(self.said, "warning" if found else "dim")
         level = ""
-        along = "" if self._target.axes == ALL_AXES else f" along {self._target.axes}"
+        axes = axes_on(shown.design.limb, self._target.axes)
+        along = "" if axes == ALL_AXES else f" along {axes}"
         if shown.ways:
             amplitude = shown.ways[-1].amplitude
             level = f"Each way gives {amplitude:.3g} m/s²{along} at the strong outputs. "

@@ -104,6 +104,8 @@ def test_a_film_shows_each_instant_with_rings_at_the_inputs(tmp_path, monkeypatc
         ("wave.mp4", {"slow_motion": 2000.0, "view": ss.View()}, "expected at most 36000"),
         ("wave.mp4", {"quantity": "x"}, "choose from z, magnitude"),
         ("wave.mp4", {"limit": -1.0}, "expected a positive number"),
+        ("wave.mp4", {"view": ss.View(time_range_s=(5.0, 5.01))}, "expected times between 0 and"),
+        ("wave.mp4", {"view": ss.View(time_range_s=(-2.0, -1.0))}, "expected times between 0 and"),
     ],
 )
 def test_a_film_that_cannot_be_is_refused(tmp_path, name, arguments, message):

@@ -27,7 +27,7 @@ from skinsource_gui.panels.compare.content import (
 from skinsource_gui.panels.compare.panel import ChoicesBar
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.plots.small_map import paint_small_map, tick_text
+from skinsource_gui.plots.small_map import LevelStyle, paint_small_map, scale_of_levels, tick_text
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Purpose
@@ -402,6 +402,12 @@ def test_a_range_that_is_fixed_on_the_skin_map_holds_for_maps_in_the_same_unit(
 )
 def test_the_ends_of_a_scale_say_what_else_has_their_colour(value, reached, text):
     assert tick_text(value, (-20.0, 20.0), reached, signed=True) == text
+
+
+@pytest.mark.parametrize(("fixed_db", "text"), [((-60.0, -20.0), "≥ −20"), ((-60.0, 0.0), "0")])
+def test_levels_above_a_fixed_range_are_told_at_its_end(fixed_db, text):
+    scale = scale_of_levels(np.array([-70.0, -10.0]), LevelStyle(map_range_db=fixed_db))
+    assert tick_text(fixed_db[1], scale.range_db, scale.reached_db) == text
 
 
 def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():

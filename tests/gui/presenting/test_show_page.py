@@ -1,6 +1,7 @@
 """A show is made in the window: designs, files and scenes in an order, with words and a knob."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
@@ -242,6 +243,16 @@ def test_an_entry_that_cannot_be_read_is_named_passed_by_and_kept(studio, made, 
     again.done(0)
     known = [isinstance(entry, ShowEntry) for entry in ss.open_show(path)]
     assert known == [False, True, True, True]
+
+
+def test_every_file_that_cannot_be_added_is_named(page, folder, monkeypatch):
+    names = [str(folder / f"{name}.skinsource") for name in ("0 cut", "2 tone", "1 cut", "3 both")]
+    for name in names[::2]:
+        Path(name).write_text("{")
+    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (names, ""))
+    page.add_files()
+    assert titles(page) == ["2 tone", "3 both"]
+    assert all(name in page.message.text() for name in ("0 cut", "1 cut"))
 
 
 def test_presenting_a_show_takes_the_page_away_until_its_end(studio, made, qtbot):

@@ -200,11 +200,20 @@ def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
     assert (np.abs(frame[-60:].astype(int) - frame[1, 1]).sum(axis=2) > 100).any()
 
 
-@pytest.mark.parametrize(("limits", "begins"), [(None, "≤≥"), ((-1e4, 1e4), "\N{MINUS SIGN}1")])
-def test_the_ends_of_its_colours_say_whether_values_lie_beyond_them(limits, begins, monkeypatch):
+@pytest.mark.parametrize(
+    ("settings", "begins"),
+    [
+        (SkinSettings(quantity=Z), "≤≥"),
+        (SkinSettings(quantity=Z, z_limits=(-1e4, 1e4)), "\N{MINUS SIGN}1"),
+        (SkinSettings(quantity=MAGNITUDE), "\N{MINUS SIGN}5"),
+        (SkinSettings(quantity=MAGNITUDE, moving_range_db=(10.0, 90.0)), "19"),
+        (SkinSettings(quantity=MAGNITUDE, moving_range_db=(-90.0, -60.0)), "\N{MINUS SIGN}≥"),
+    ],
+)
+def test_the_ends_of_its_colours_say_whether_values_lie_beyond_them(settings, begins, monkeypatch):
     scales = []
     monkeypatch.setattr(picture, "paint_scale_row", lambda *drawn: scales.append(drawn[2]))
-    camera, film = filmed(SkinSettings(quantity=Z, z_limits=limits), PictureOptions(width_px=200))
+    camera, film = filmed(settings, PictureOptions(width_px=200))
     camera.frame(film, 0)
     ends, reached = scales[0].range_db, scales[0].reached_db
     assert "".join(tick_text(value, ends, reached)[0] for value in ends) == begins
