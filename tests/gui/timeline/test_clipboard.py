@@ -118,6 +118,10 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     document.look(replace(document.view, selected_clips=(1,), playhead_s=0.05))
     for name in ("join_clips", "ungroup_clips"):
         assert not window.actions_by_name[name].isEnabled()
+    document.look(replace(document.view, selected_clips=(1, 2)))
+    for name in ("join_clips", "group_clips"):
+        assert not window.actions_by_name[name].isEnabled(), "they are of two tracks"
+    document.look(replace(document.view, selected_clips=(1,)))
     window.do("split_clips")
     document.look(replace(document.view, selected_clips=(1, 3)))
     for name, count in (("group_clips", 2), ("ungroup_clips", 3), ("join_clips", 2)):
@@ -136,7 +140,7 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
 # What stands among them in the menu; and the keys of the others.
 OTHERS = {
     *("aim", "show_clip_editor", "match_tracks", "make_motion", "equalise_on_skin"),
-    *("ungroup_clips", "place_actuators"),
+    *("join_clips", "group_clips", "ungroup_clips", "place_actuators"),
 }
 ON_CLIPS = "nudge change_track split repeat mute duplicate fade_in fade_out stretch_clip remove"
 
