@@ -23,10 +23,10 @@ from skinsource.design.panel_settings import ALL, CONTROL
 from skinsource.studies import scenes
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.panels.compare.stage import knob_options
+from skinsource_gui.panels.compare.stage import MOST_OFFERED, knob_options
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.fitting import FoldingRow
-from skinsource_gui.qt.layouts import add_row, in_column, in_row, named
+from skinsource_gui.qt.layouts import add_row, in_column, in_row, named, tooltip
 from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.preferences import Preferences
@@ -228,6 +228,10 @@ class ShowPage(ToolPage):
         if known:
             self._knobs = knob_options(entry.design, entry.view)
             self.knob.set_options((title, title) for title in self._knobs)
+            n = len(entry.design.inputs)
+            more = f"The first {MOST_OFFERED} of {n} inputs, and the one selected in the design"
+            about = CONTROL.label, CONTROL.hint, more if n > MOST_OFFERED else ""
+            self.knob.setToolTip(tooltip(*about))
             # Automatic is the first of an input, and stands for what it does not have.
             fitting = (ALL, entry.view), (entry.knob, entry.view)
             self.knob.set_value([title for title, to in self._knobs.items() if to in fitting][-1])

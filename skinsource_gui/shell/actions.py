@@ -130,6 +130,12 @@ def _on(
     return lambda design, view: edit(design, view, chosen(design, view), *more)
 
 
+def _on_tracks(design: Design, view: View) -> list[int]:
+    """Return how many clips are selected on each track."""
+    ids = set(view.selected_clips)
+    return [sum(clip.id in ids for clip in track.clips) for track in design.inputs]
+
+
 _of_clips = partial(_on, lambda _, view: view.selected_clips)
 _of_inputs = partial(_on, lambda _, view: view.selected_inputs)
 
@@ -234,7 +240,8 @@ ENABLED: dict[str, Condition] = {
     "toggle_snapshots": lambda _, view: bool(view.snapshots),
     "keep_match_gain": lambda design, view: view.match_gain(design) != 1.0,
     **_when(lambda _, view: bool(view.selected_clips), *OF_CLIPS),
-    **_when(lambda _, view: len(view.selected_clips) > 1, "join_clips", "group_clips"),
+    "join_clips": lambda design, view: max(_on_tracks(design, view), default=0) > 1,
+    "group_clips": lambda design, view: [n > 1 for n in _on_tracks(design, view) if n] == [True],
     "ungroup_clips": lambda design, view: any(map(is_plain_sum, _clips(design, view))),
     "equalise_on_skin": lambda design, view: bool(selected_trains(design, view)),
     "match_tracks": lambda design, view: len(set(view.selected_inputs) & set(design.ids)) > 1,

@@ -236,8 +236,8 @@ def test_a_text_that_can_be_read_and_not_be_written_is_damaged(value):
 
 def test_what_is_cut_leaves_no_other_clip_selected_and_its_track():
     outcome = edits.cut_clips(DESIGN, VIEW, (2, 5))
-    assert outcome.said == "2 clips cut."
-    assert edits.remove_clips(DESIGN, VIEW, (2,)).said == "1 clip removed."
+    assert outcome.said == "2 clips cut"
+    assert edits.remove_clips(DESIGN, VIEW, (2,)).said == "1 clip removed"
     assert tracks(outcome.design) == [[1], [3, 4], [], []]
     assert outcome.view.selected_clips == ()
     assert outcome.label == "Cut 2 clips"

@@ -194,7 +194,7 @@ def test_what_reaches_half_the_rate_is_refused_and_nothing_below(recipe, name):
         (lambda: Gabor(0.1, 50.0), "Gabor lasts"),
         (lambda: Morlet(0.1, 50.0), "Morlet lasts"),
         (lambda: WaveletTrain(slot_s=60.0, frequencies_hz=(100.0,) * 11), "WaveletTrain lasts 660"),
-        (lambda: WaveletTrain((50.0, 60.0), gains_db=(0.0,)), r"has 1 gains, .* the 2 frequencies"),
+        (lambda: WaveletTrain((50.0, 60.0), gains_db=(0.0,)), r"has 1 gain, .* its 2 frequencies"),
         (lambda: Glide(((0.0, 50.0, 1.0), (0.0, 60.0, 1.0))), "end at 0 s"),
     ],
 )

@@ -198,7 +198,7 @@ def describe_played(
 
 
 def _actuator_label(actuator: ActuatorAt) -> str:
-    where = "all other places" if actuator.place is None else f"place {actuator.place}"
+    where = "any other place" if actuator.place is None else f"place {actuator.place}"
     return f"{where}, {actuator.actuator}" if actuator.actuator else where
 
 

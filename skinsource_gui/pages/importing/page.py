@@ -273,7 +273,7 @@ class ChoiceForm(QtWidgets.QWidget):
         self._others = {key: tuple(axis.key for axis in axes) for key, _ in offered}
         self._beside = signals_beside(self._contents, series)
         if 1 < len(self._beside) <= _MOST_SIGNALS:
-            offered.append((_EACH, f"Each of {len(self._beside)}, a clip on its own place"))
+            offered.append((_EACH, f"Each of {len(self._beside)}, a clip on its own track"))
         chosen = self._axes.value
         _fill(self._form, self._axes, [("", f"{series.name} alone"), *offered])
         if chosen == _EACH and self._axes.findData(_EACH) >= 0:

@@ -338,8 +338,8 @@ _PERIODS = {False: 3.0, True: 1.0}
 _SPECTRUM_DB = 60.0
 # Curves of other outputs that are so much weaker than what was shown are not to be seen.
 _SUNK_DB = 12.0
-# A list of what can be turned has the numbers of so many inputs.
-_MOST_OFFERED = 12
+#: A list of what can be turned has the numbers of so many inputs.
+MOST_OFFERED = 12
 # When curves that a turn of the knob has cut are fitted, after the last turn.
 _RESTS_MS = 1000
 
@@ -927,7 +927,7 @@ def knob_options(design: Design, view: View) -> dict[str, tuple[str, View]]:
     views += [
         view if track is now else edits.select_inputs(design, view, [track.id]).view
         for k, track in enumerate(design.inputs)
-        if k < _MOST_OFFERED or track is now
+        if k < MOST_OFFERED or track is now
     ]
     return {
         f"{title}{turned_inputs(design, each)}": (name, each)

@@ -9,7 +9,8 @@ from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.design import Design, View
 from skinsource.design.edits.clips import chosen_clips, clips_text
 from skinsource.design.edits.edit import Edit, Refusal, change_clips, refusing
-from skinsource.design.effects.effect import Effect, KeepsTime
+from skinsource.design.edits.effects import changes_time
+from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.time import Trim
 from skinsource.design.waveforms.pulses import Impulse
 
@@ -58,9 +59,7 @@ def copy_effects(design: Design, view: View) -> Edit | Refusal:
     """
     if view.selected_clip is None:
         return NO_CLIPS
-    clip = design.clip(view.selected_clip)
-    kept = _cutting(clip)
-    effects = tuple(effect for effect in clip.effects if effect not in kept)
+    _, effects = _parted(design.clip(view.selected_clip))
     # The shortest waveform: with any, effects that repeat must not become too long.
     holder = Lane(location=1, clips=(Clip(waveform=Impulse(), effects=effects),))
     data = QMimeData()
@@ -78,18 +77,20 @@ def paste_effects(design: Design, view: View) -> Edit | Refusal:
         return fragment
     chosen = chosen_clips(design, view.selected_clips)
     new = fragment.lanes[0].clips[0].effects
-    changes = {clip.id: {"effects": (*_cutting(clip), *new)} for clip in chosen}
+    changes = {clip.id: {"effects": (*_parted(clip)[0], *new)} for clip in chosen}
     after = change_clips(design, changes)
     of_whom = f"effects of {clips_text(design, chosen)}"
     said = f"The {of_whom} were replaced; Undo brings them back"
     return Edit(label=f"Replace {of_whom}", design=after, view=view, said=said)
 
 
-def _cutting(clip: Clip) -> tuple[Effect, ...]:
-    """Return the effects that cut a part: those that trim, and what repeats or stretches before."""
-    trims = [k for k, effect in enumerate(clip.effects, 1) if isinstance(effect, Trim)]
-    before = clip.effects[: max(trims, default=0)]
-    return tuple(effect for effect in before if not isinstance(effect, KeepsTime))
+def _parted(clip: Clip) -> tuple[tuple[Effect, ...], tuple[Effect, ...]]:
+    """Return the effects that cut a part, with those that move time before that; and the others."""
+    trims = [k for k, e in enumerate(clip.effects, 1) if isinstance(e, Trim) and e.on]
+    end = max(trims, default=0)
+    before = clip.effects[:end]
+    kept = (effect for effect in before if not changes_time(effect))
+    return tuple(filter(changes_time, before)), (*kept, *clip.effects[end:])
 
 
 def _pasted(what: str) -> Fragment | Refusal:

@@ -107,6 +107,8 @@ def test_a_gain_that_is_kept_is_an_edit_that_undo_takes_back(window, settle, mat
     before, levels_db = window.document.design, shown_levels(window)
     window.do("keep_match_gain")
     settle()
+    # It is no longer shown with a gain, whatever was said when it was.
+    assert window.statusBar().currentMessage().startswith("Amplitudes changed by ")
     assert window.document.design == louder(before, matched)
     np.testing.assert_allclose(shown_levels(window), levels_db, rtol=0, atol=1e-9)
     window.do("undo")

@@ -119,6 +119,13 @@ def test_the_knob_tells_inputs_at_one_place_apart_and_lists_some_dozens_of_numbe
         assert options[title] == ("amplitude", ss.View(selected_inputs=(k,)))
 
 
+def test_a_knob_that_does_not_list_all_inputs_says_so(page):
+    for n, said in ((12, False), (13, True)):
+        inputs = tuple(ss.track(7) for _ in range(n))
+        page._add([ShowEntry.of(ss.Design(limb="synthetic-1", inputs=inputs), ss.View())])
+        assert ("first 12 of 13" in page.knob.toolTip()) is said
+
+
 def test_inputs_that_a_design_does_not_have_are_not_turned(page):
     design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone()),))
     page._add([replace(ShowEntry.of(design, ss.View(selected_inputs=(1, 2))), knob="onset")])

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QInputDialog, QToolButton
 
 from skinsource import Clip, Design, Input, View, edits, track
-from skinsource.design.effects import BandLimit, Fade, Repeat, Trim
+from skinsource.design.effects import BandLimit, Fade, Repeat, Reverse, Trim
 from skinsource.design.waveforms import Drawn, Tap, Tone, WaveletTrain
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.clip_editor.tools import Pen
@@ -118,6 +118,10 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     document.look(replace(document.view, selected_clips=(1,), playhead_s=0.05))
     for name in ("join_clips", "ungroup_clips"):
         assert not window.actions_by_name[name].isEnabled()
+    document.look(replace(document.view, selected_clips=(1, 2)))
+    for name in ("join_clips", "group_clips"):
+        assert not window.actions_by_name[name].isEnabled(), "they are of two tracks"
+    document.look(replace(document.view, selected_clips=(1,)))
     window.do("split_clips")
     document.look(replace(document.view, selected_clips=(1, 3)))
     for name, count in (("group_clips", 2), ("ungroup_clips", 3), ("join_clips", 2)):
@@ -136,7 +140,7 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
 # What stands among them in the menu; and the keys of the others.
 OTHERS = {
     *("aim", "show_clip_editor", "match_tracks", "make_motion", "equalise_on_skin"),
-    *("ungroup_clips", "place_actuators"),
+    *("join_clips", "group_clips", "ungroup_clips", "place_actuators"),
 }
 ON_CLIPS = "nudge change_track split repeat mute duplicate fade_in fade_out stretch_clip remove"
 
@@ -217,6 +221,17 @@ def test_effects_but_not_what_cuts_a_part_are_copied_to_others_in_one_step(two_c
     document.look(replace(document.view, selected_inputs=(), selected_clips=()))
     assert not window.actions_by_name["copy_effects"].isEnabled()
     assert not window.actions_by_name["paste_effects"].isEnabled()
+
+
+@pytest.mark.parametrize("more", [(), (Fade(0.01, 0.0),), (Reverse(),)])
+def test_a_part_of_what_plays_backwards_that_gets_its_own_effects_plays_the_same(two_clips, more):
+    window, document = two_clips, two_clips.document
+    effects = (Reverse(), Trim(0.0, 0.05), *more)
+    document.edit("Part", document.design.with_clip(2, effects=effects))
+    document.look(replace(document.view, selected_inputs=(2,), selected_clips=(2,)))
+    window.do("copy_effects")
+    window.do("paste_effects")
+    assert document.design.clip(2).effects == effects
 
 
 def test_effects_that_would_make_a_clip_too_long_are_refused(two_clips):

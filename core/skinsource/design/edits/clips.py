@@ -439,7 +439,7 @@ def _without_clips(design: Design, view: View, ids: Iterable[int], verb: str, do
         label=f"{verb} {clips_text(design, removed)}",
         design=left,
         view=replace(view, selected_clips=()),
-        said=f"{counted(len(removed), 'clip')} {done}.",
+        said=f"{counted(len(removed), 'clip')} {done}",
     )
 
 

@@ -570,6 +570,10 @@ def _moved_value(own_value: float, origin: float, value: float, spec: NumberSpec
     return nearest(float(f"{moved:.12g}"), spec)
 
 
+# What trims leave of a wavelet, with what the others leak into its level, is as far below them.
+_FAINT_DB = 60.0
+
+
 @refusing
 def equalise_on_skin(
     design: Design, view: View, clip_id: int, levels_db: Sequence[float], measure: str
@@ -602,11 +606,11 @@ def equalise_on_skin(
     if not isinstance(train, WaveletTrain) or len(levels_db) != len(train.frequencies_hz):
         return Refusal(sentence="The clip no longer plays that wavelet train; try again.")
     softest_db = min(levels_db)
-    if not all(map(isfinite, levels_db)) or max(levels_db) - softest_db > -SOFTEST_DB:
+    if not all(map(isfinite, levels_db)) or max(levels_db) - softest_db > _FAINT_DB:
         worst_hz = train.frequencies_hz[list(levels_db).index(softest_db)]
         return Refusal(
-            sentence=f"The wavelet of {worst_hz:g} Hz does not move the skin, so others cannot "
-            "match it; remove it, or choose another place."
+            sentence=f"The wavelet of {worst_hz:g} Hz hardly moves the skin, so others cannot "
+            "match it; remove it, keep trims from it, or choose another place."
         )
     # Nobody can feel or set less than a hundredth of a dB; adding 0.0 turns -0.0 into 0.0.
     gains_db = tuple(round(softest_db - level_db, 2) + 0.0 for level_db in levels_db)

@@ -256,11 +256,9 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
     gain = view.match_gain(design)
     if gain == 1.0:
         return Refusal(sentence="The design is shown with its own amplitudes; match levels first.")
-    return Edit(
-        label=f"Apply {gain_text(gain) or 'the match gain'}",
-        design=louder(design, gain),
-        view=view,
-    )
+    by = gain_text(gain) or "the match gain"
+    said = f"Amplitudes changed by {by}"
+    return Edit(label=f"Apply {by}", design=louder(design, gain), view=view, said=said)
 
 
 @refusing

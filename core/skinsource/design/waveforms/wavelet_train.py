@@ -9,7 +9,7 @@ import numpy as np
 
 from skinsource.base.arguments import integer, one_of, positive_number
 from skinsource.base.conventions import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design.waveform import CENTRE, CYCLES, check_waveform_duration, lists_to_tuples
 from skinsource.design.waveforms.tones import count_of
 from skinsource.signals.synthesis import DIGITS, bent_turns, check_below_half_rate
@@ -176,8 +176,8 @@ class WaveletTrain:
         fields.check(self)
         if self.gains_db and len(self.gains_db) != len(self.frequencies_hz):
             raise InvalidInputError(
-                f"WaveletTrain.gains_db has {len(self.gains_db)} gains, expected one for each of "
-                f"the {len(self.frequencies_hz)} frequencies, or none"
+                f"The wavelet train has {counted(len(self.gains_db), 'gain')}, expected one for "
+                f"each of its {len(self.frequencies_hz)} frequencies, or none"
             )
         check_waveform_duration(
             "WaveletTrain", self.duration_s, "Shorten the intervals or the wavelets."
