@@ -11,6 +11,7 @@ from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking
+from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import counted, lowered, sentence
 from skinsource.design.amplitudes import amplitude_meaning
 from skinsource.design.describing import clips_text, strength_text
@@ -77,6 +78,10 @@ def methods_of(view: View, ready: PreparedStimulus) -> str:
     results = evaluate(design, "output_levels_db", "limb_data", view=view)
     levels_db, note = results["output_levels_db"], results["limb_data"].note
     loudest = int(np.nanargmax(levels_db)) + 1
+    level_db = float(levels_db[loudest - 1])
+    reached = f"reached {level_db:.1f} dB re 1 m/s² at output {loudest}"
+    if level_db <= FLOOR_DB:
+        reached = "was that of silence at all outputs"
     tracks = audible_inputs(design.inputs)
     described = [
         f"{clips_text(track)}, {strength_text(design, track)}, "
@@ -99,8 +104,7 @@ def methods_of(view: View, ready: PreparedStimulus) -> str:
             f"Amplitudes: {lowered(amplitude_meaning(design))}.",
             f"The acceleration at {facts.n_outputs} outputs of the limb "
             f"{limb_label(design.limb).title} was predicted{through}, {origin}{about}.",
-            f"Its {level_label(view.span)} ({signal_label(view.axes, view.method)}) reached "
-            f"{levels_db[loudest - 1]:.1f} dB re 1 m/s² at output {loudest}.",
+            f"Its {level_label(view.span)} ({signal_label(view.axes, view.method)}) {reached}.",
             f"Drives{part} are written as {ready.format.title} ({ready.rate_text}, "
             f"{ready.scale_text}). "
             f"{sentence(ready.equalised)}",

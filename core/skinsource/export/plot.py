@@ -214,8 +214,8 @@ _COLOUR_MAPS: dict[Colours, str] = {"sequential": "viridis", "diverging": "RdBu_
 _ENDS_OF_DIFFERENCES = 0.2
 # Beside the wrist there is less room than below the arm.
 _BAR_MM: dict[Part, float] = {"arm": 50.0, "hand": 20.0}
-# Room for the bar and its label below the limb.
-_BELOW_MM = 24.0
+# Room for what stands below limb and traces.
+_BELOW_MM = 14.0
 # The hand and a little of the wrist, in hand lengths.
 _HAND_PART = 1.06
 #: Noise is hatched around an output, half of the way to its neighbours, in hand lengths.
@@ -657,7 +657,7 @@ def annotate_scale(ax: Any, text: str) -> None:
     )
 
 
-_WIDTH_MM, _ROW_MM, _AROUND_MM, _BELOW_MM = 130.0, 13.0, 26.0, 14.0
+_WIDTH_MM, _ROW_MM, _AROUND_MM = 130.0, 13.0, 26.0
 # What spectra of a span are, and are over.
 _SPECTRA = {
     "record": ("selected_spectra", "whole record"),

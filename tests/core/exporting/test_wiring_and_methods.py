@@ -171,6 +171,12 @@ def test_the_methods_text_is_of_the_tracks_and_the_time_that_are_written():
     assert "Drives are written as " in ss.methods_text(alone)
 
 
+def test_the_methods_text_of_what_does_not_move_gives_no_level():
+    text = ss.methods_text(replace(DESIGN, inputs=(ss.track(7, amplitude=0.0),)))
+    assert "principal axis) was that of silence at all outputs. " in text
+    assert "dB re" not in text
+
+
 def test_the_methods_text_says_what_is_played():
     effects = (ss.effects.Stretch(to_s=0.4),)
     slower = ss.Clip(waveform=ss.waveforms.Tone(100.0), effects=effects, gain=0.92)
