@@ -63,6 +63,12 @@ def test_channels_are_places_in_the_order_of_first_use():
     assert result.channels[0].title == "Digit II, pad"
 
 
+def test_muting_one_of_two_inputs_at_a_place_does_not_reorder_channels():
+    three = design(track(7, muted=True), track(12), track(7))
+    assert [channel.place for channel in stimulus_of(three).channels] == [7, 12]
+    assert [channel.inputs for channel in stimulus_of(three).channels] == [(3,), (2,)]
+
+
 def test_only_what_is_chosen_takes_part():
     plain = stimulus_of(SEVERAL, inputs=(3,))
     np.testing.assert_array_equal(

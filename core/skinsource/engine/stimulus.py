@@ -364,8 +364,9 @@ def stimulus_of(
     sample_rate_hz
         A whole number of hertz; None for the rate of the limb.
     per
-        ``"place"``: one channel for each location in use, in the order of first use, so that inputs
-        at one location add up.  ``"input"``: one channel for each input.
+        ``"place"``: one channel for each location in use, in the order of the first inputs there,
+        audible or not, so that muting reorders none; inputs at one location add up.  ``"input"``:
+        one channel for each input.
     inputs, clips
         Ids of the inputs, or of the clips, that are played; None for all of them.
     stages
@@ -437,7 +438,7 @@ def stimuli_of(
         check_input_location(track.location, limb.n_inputs)
     own_rate_hz = limb.sample_rate_hz
     rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
-    channels = _channels(tracks, per, design.limb)
+    channels = _channels(design, tracks, per)
     lead = silent_samples("lead_in_s", lead_in_s, rate_hz)
     tail = silent_samples("tail_s", tail_s, own_rate_hz)
     own_samples, samples = _samples_of(
@@ -475,18 +476,20 @@ def _playing_tracks(
     return tuple(track for track in with_chosen_clips if track.clips)
 
 
-def _channels(tracks: tuple[Input, ...], per: str, limb: str) -> tuple[Channel, ...]:
-    groups: dict[int, list[Input]] = {}
+def _channels(design: Design, tracks: tuple[Input, ...], per: str) -> tuple[Channel, ...]:
+    groups: dict[int, list[Input]] = {
+        track.location if per == "place" else track.id: [] for track in design.inputs
+    }
     for track in tracks:
-        groups.setdefault(track.location if per == "place" else track.id, []).append(track)
+        groups[track.location if per == "place" else track.id].append(track)
     return tuple(
         Channel(
             number=number,
             place=group[0].location,
-            title=input_name(group[0].location, limb).name,
+            title=input_name(group[0].location, design.limb).name,
             inputs=tuple(track.id for track in group),
         )
-        for number, group in enumerate(groups.values(), start=1)
+        for number, group in enumerate(filter(None, groups.values()), start=1)
     )
 
 

@@ -334,6 +334,13 @@ def test_what_the_limited_boost_takes_is_the_same_number_everywhere(tmp_path, ca
     replaced = ss.equalising.PolePairReplacement(*ss.equalising.resonance_of(model))
     done = ss.export_stimulus(design, tmp_path / "p.wav", equaliser=replaced)
     assert "resonance of the actuator: the skin loses most at place 7, at 50 Hz" in done.loses
+    # What the equaliser cuts away has no figure, and hides no loss that has one.
+    slow = ss.Clip(id=9, waveform=ss.waveforms.Tone(frequency_hz=6.0, duration_s=1.0))
+    both = replace(design, inputs=(*design.inputs, ss.Input(location=9, clips=(slow,))))
+    beside = ss.export_stimulus(both, tmp_path / "b.wav").loses
+    assert beside == f"{said[:-1]}; next to nothing is left of what place 9 has at 6 Hz."
+    only = ss.export_stimulus(replace(both, inputs=both.inputs[1:]), tmp_path / "o.wav").loses
+    assert only.endswith("to 600 Hz: next to nothing is left of what place 9 has at 6 Hz.")
     # Of noise most energy is missing at high frequencies, in wider bands.
     resonant = actuation(ss.actuators.load("example-resonant"), RegularisedInverse(), on=False)
     noise = replace(design, inputs=(ss.track(7, ss.waveforms.Noise()),), actuation=resonant)

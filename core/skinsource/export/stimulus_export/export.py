@@ -81,7 +81,7 @@ def export_stimulus(
 ) -> Exported:
     """Write the drives of a design as a stimulus for actuators, and a sidecar ``PATH.json``.
 
-    There is one channel per place in use, in the order of first use, of all audible inputs:
+    There is one channel per place in use, in the order of the inputs, of all audible inputs:
     amplitude x gain x waveform, times one factor that brings the largest sample to full scale.
     Time 0 is that of the design.  Nothing is left half written.
 

@@ -70,6 +70,8 @@ LEAST_WEAKENED_DB = 1.0
 LEAST_STEPS = 16
 # Third octaves count within so many dB of the strongest, and of the stronger neighbour.
 _WITHIN_DB, _FLANK_DB = 20.0, 6.0
+# More is lost where an equaliser lets nothing through; how much more, rounding decides.
+_NOTHING_LEFT_DB = 60.0
 # Losses are reported up to the stop band of `skinsource.resample`.
 _LARGEST_LOSS_DB = 140.0
 # Names of samples that were not equalised, by the unit of the drive.
@@ -609,20 +611,28 @@ def weakened_by(
         neighbours_db = scipy.ndimage.maximum_filter1d(level_db, 3)
         dominant = np.maximum(neighbours_db - _FLANK_DB, level_db.max() - _WITHIN_DB) <= level_db
         attenuation_db = np.where(dominant, level_db - decibels(np.sqrt(after)), 0.0)
-        most = int(attenuation_db.argmax())
-        if attenuation_db[most] >= LEAST_WEAKENED_DB:
-            middle_hz = np.bincount(band, energy * frequency_hz)[most] / before[most]
-            losses.append((float(attenuation_db[most]), place, middle_hz))
+        weighted_hz = np.bincount(band, energy * frequency_hz)
+        losses += [
+            (float(attenuation_db[at]), place, weighted_hz[at] / before[at])
+            for at in np.flatnonzero(attenuation_db >= LEAST_WEAKENED_DB)
+        ]
     if not losses:
         return ""
-    loss, place, middle_hz = max(losses)
     limit = "the resonance of the actuator"
     if isinstance(equaliser, RegularisedInverse):
         limit = f"{equaliser.boost_db:g} dB, from {band_hz[0]:.4g} to {band_hz[1]:.4g} Hz"
-    return (
-        f"The equaliser is limited to {limit}: the skin loses most at place {place}, at "
-        f"{middle_hz:.0f} Hz, where it gets {loss:.1f} dB less."
-    )
+    left = [each for each in losses if each[0] < _NOTHING_LEFT_DB]
+    told = []
+    if left:
+        loss, place, middle_hz = max(left)
+        told.append(
+            f"the skin loses most at place {place}, at {middle_hz:.0f} Hz, where it gets "
+            f"{loss:.1f} dB less"
+        )
+    if len(left) < len(losses):
+        _, place, middle_hz = max(losses)
+        told.append(f"next to nothing is left of what place {place} has at {middle_hz:.0f} Hz")
+    return f"The equaliser is limited to {limit}: {'; '.join(told)}."
 
 
 def _exported_part(stimulus: Stimulus, end_s: float, options: StimulusOptions) -> Stimulus:
