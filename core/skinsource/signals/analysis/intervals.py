@@ -85,7 +85,7 @@ def interval_of(
     time_s : (n_times,)
         Rising in equal steps.
     between_s
-        First and last time; at least one sample is taken.
+        First time, and that before which the samples end; at least one sample is taken.
     lowest_hz
         Velocity and displacement have nothing slower, see `integrated`.
     waves : (n_signals, n_axes, n_times), optional
@@ -102,7 +102,7 @@ def interval_of(
     velocity, displacement = (
         peaks_between(integrated(moving, rate, lowest_hz, times), *ends) for times in (1, 2)
     )
-    samples = acceleration[:, first : last + 1]
+    samples = acceleration[:, slice(*ends)]
     return Interval(
         peak=peaks_between(moving, *ends),
         rms=np.sqrt(np.mean(np.square(samples), axis=-1)),
