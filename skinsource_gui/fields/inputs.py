@@ -77,7 +77,7 @@ def played_length_text(clip: Clip) -> str:
     """Return the text of the duration of a clip whose effects change it; else ""."""
     if abs(clip.duration_s - clip.waveform.duration_s) < _LEAST_S:
         return ""
-    return f"{duration_text(clip.duration_s)} after effects"
+    return duration_text(clip.duration_s)
 
 
 def played_hz_text(clip: Clip) -> str:
@@ -85,7 +85,7 @@ def played_hz_text(clip: Clip) -> str:
     played_hz = effects_hz(clip.effects, clip.waveform)
     if played_hz in ((), effects_hz((), clip.waveform)):
         return ""
-    return f"{'–'.join(number_text(hz, 'Hz', digits=4) for hz in played_hz)} Hz after effects"
+    return f"{'–'.join(number_text(hz, 'Hz', digits=4) for hz in played_hz)} Hz"
 
 
 def fixed_length_text(waveform: Waveform) -> str:

@@ -213,7 +213,7 @@ class InputFields(QObject):
             "Track peak", "", "peak", "Peak of the track, with its gain, between samples too"
         )
         self._played_length = TextCell("Played time", "", "played_length", "Duration after effects")
-        self._played_hz = TextCell("Played tone", "", "played_hz", "Frequency after effects")
+        self._played_hz = TextCell("Played at", "", "played_hz", "Frequency after effects")
 
     def show_input(self, track: Input, batch: tuple[Input, ...], view: View) -> None:
         """Show an input, and where the inputs of the ``batch`` that is edited with it differ.

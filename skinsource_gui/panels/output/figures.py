@@ -269,7 +269,7 @@ class DemandView(QtWidgets.QWidget):
         if shown is not None and demand.place is not None:
             place = f"Place {demand.place}, {input_name(demand.place, limb).name}"
             peak = next((f": peak {row.value}" for row in rows if row.label == "Peak voltage"), "")
-            part = f", the strongest {LONGEST_S:g} s" if demand.part else ""
+            part = f" in its strongest {LONGEST_S:g} s" if demand.part else ""
             gain = "" if shown.gain_calibrated else " (uncalibrated gain)"
             text = f"{place}{peak}{part}{gain}"
         show_or_hide(self.heading, text)
