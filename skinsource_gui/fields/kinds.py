@@ -196,6 +196,8 @@ class KindField(ChoiceField):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._menu: QtWidgets.QMenu | None = None
         self.setIconSize(PICTURE_PX)
+        # With its picture it is no wider than other choices.
+        self.setMinimumContentsLength(6)
         self.currentIndexChanged.connect(self._picture)
         self._picture()
 

@@ -32,6 +32,7 @@ from skinsource.design.waveforms import (
 )
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
+from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.inputs import clip_text
@@ -75,6 +76,12 @@ def ink(icon: QIcon, mode: QIcon.Mode = QIcon.Mode.Normal) -> np.ndarray:
     image = icon.pixmap(PICTURE_PX, 1.0, mode).toImage()
     alpha = image.convertToFormat(QImage.Format.Format_Alpha8)
     return np.array(alpha.constBits(), np.uint8).reshape(alpha.height(), -1)[:, : alpha.width()]
+
+
+def test_with_its_picture_the_field_needs_no_more_room_than_other_choices(field, qtbot):
+    other = ChoiceField(kind_spec())
+    qtbot.addWidget(other)
+    assert field.minimumSizeHint().width() <= other.minimumSizeHint().width()
 
 
 def test_every_kind_has_a_picture_of_its_own(qapp):
