@@ -36,9 +36,9 @@ def _tip_and_next(designs: tuple[Design, ...]) -> Wanted:
     aims = [aim_of(design) for design in designs]
     one, every = (ways(aim)[-1] for aim in aims)
     text = (
-        f"Digit III re the tip: {_deep(one.quiet_db)} with one input, {_deep(every.quiet_db)} with "
-        f"{len(aims[-1].places)}; between its sensors expect {_deep(one.between_db)} and "
-        f"{_deep(every.between_db)}."
+        f"Digit III against the tip: {_deep(one.quiet_db)} with one input, "
+        f"{_deep(every.quiet_db)} with {len(aims[-1].places)}; between its sensors expect "
+        f"{_deep(one.between_db)} and {_deep(every.between_db)}."
     )
     return Wanted(designs=tuple(map(_solved, designs, aims)), sentence=text)
 
@@ -69,11 +69,11 @@ def _reversal_and_contrast(designs: tuple[Design, ...]) -> Wanted:
     aims = [aim_of(design) for design in designs]
     before, after = (ways(aim)[-1] for aim in aims)
     text = (
-        f"This place is {_db(-before.loudest_db)} over the loudest other output with time reversal "
-        f"and {_db(-after.loudest_db)} with contrast control, {_db(-before.quiet_db)} and "
-        f"{_db(-after.quiet_db)} over the mean of the others; between the sensors expect "
-        f"{_db(-before.between_db)} and {_db(-after.between_db)}. It costs "
-        f"{_db(after.effort_db)} more drive energy."
+        f"Against the loudest other output this place has {_over(-before.loudest_db)} with time "
+        f"reversal and {_over(-after.loudest_db)} with contrast control, against the mean of the "
+        f"others {_over(-before.quiet_db)} and {_over(-after.quiet_db)}; between the sensors "
+        f"expect {_over(-before.between_db)} and {_over(-after.between_db)}. Contrast control "
+        f"costs {_db(after.effort_db)} more drive energy."
     )
     return Wanted(designs=tuple(map(_solved, designs, aims)), sentence=text)
 
@@ -87,9 +87,9 @@ def _drives_and_layouts(designs: tuple[Design, ...]) -> Wanted:
     each_own = [aim_of(replace(own, limb=limb.name)) for limb in others]
     at_home, *of_their_own = (-on_limb(aim, aim.limb).loudest_db for aim in (aims[0], *each_own))
     text = (
-        f"This place is {_db(at_home)} over the loudest other output on limb 1; on limbs 2, 3 and "
-        f"4 {_listed(theirs)} with the drives of limb 1, and {_listed(of_their_own)} with their "
-        "own from the same inputs."
+        f"Against the loudest other output this place has {_over(at_home)} on limb 1; on limbs "
+        f"2, 3 and 4 {_listed(theirs)} with the drives of limb 1, and {_listed(of_their_own)} with "
+        "their own from the same inputs."
     )
     solved = _solved(first, aims[0])
     detached = _done(detach_target(solved, View()))
@@ -116,12 +116,16 @@ def _db(level_db: float) -> str:
     return f"{level_db:.1f} dB".replace("-", "−")
 
 
+def _over(level_db: float) -> str:
+    return f"{level_db:+.1f} dB".replace("-", "−")
+
+
 def _deep(level_db: float) -> str:
     return _db(level_db) if level_db >= DEEPEST_DB else f"below −{-DEEPEST_DB:g} dB"
 
 
 def _listed(levels_db: Sequence[float]) -> str:
-    *most, last = (_db(level_db).removesuffix(" dB") for level_db in levels_db)
+    *most, last = (_over(level_db).removesuffix(" dB") for level_db in levels_db)
     return f"{', '.join(most)} and {last} dB"
 
 
