@@ -131,6 +131,23 @@ def peak_of(played: Floats) -> float:
 InputEdit = Callable[[Design, View, Iterable[int]], Edit | Refusal]
 
 
+def of_selected(
+    of_clips: InputEdit, of_inputs: InputEdit
+) -> Callable[[Design, View], Edit | Refusal]:
+    """Return an edit of the selected clips; where there are none, of the selected inputs."""
+
+    def edit(design: Design, view: View) -> Edit | Refusal:
+        if view.selected_clips:
+            return of_clips(design, view, view.selected_clips)
+        return of_inputs(design, view, view.selected_inputs)
+
+    return edit
+
+
+#: Removes the selected clips; where there are none, the selected inputs.
+remove_selected = of_selected(edits.remove_clips, edits.remove_inputs)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Entry:
     """An entry of the menu of inputs.

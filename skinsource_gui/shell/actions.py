@@ -17,6 +17,7 @@ from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.inputs import is_plain_sum
 from skinsource.design.panel_settings import brush_of
+from skinsource_gui.fields.inputs import of_selected, remove_selected
 from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.panels.timeline.clipboard import (
@@ -140,15 +141,6 @@ _of_clips = partial(_on, lambda _, view: view.selected_clips)
 _of_inputs = partial(_on, lambda _, view: view.selected_inputs)
 
 
-def _of_outlined(of_clips: Callable[..., Edit | Refusal], of_inputs: Any) -> MakeEdit:
-    """Return an edit of the selected clips; where there are none, of the selected inputs."""
-
-    def edit(design: Design, view: View) -> Edit | Refusal:
-        return (_of_clips(of_clips) if view.selected_clips else _of_inputs(of_inputs))(design, view)
-
-    return edit
-
-
 # Length of a fade that a menu adds, s.
 _FADE_S = 0.02
 
@@ -182,8 +174,8 @@ EDITS: dict[str, MakeEdit] = {
     "copy_effects": copy_effects,
     "paste_effects": paste_effects,
     "add_input": edits.add_input,
-    "duplicate_input": _of_outlined(partial(copy_behind, verb="Duplicate"), edits.duplicate_inputs),
-    "remove_input": _of_outlined(edits.remove_clips, edits.remove_inputs),
+    "duplicate_input": of_selected(partial(copy_behind, verb="Duplicate"), edits.duplicate_inputs),
+    "remove_input": remove_selected,
     "mute_input": _of_inputs(edits.toggle_mute),
     "solo_input": _of_inputs(edits.toggle_solo),
     "shift_input_up": _of_inputs(partial(edits.shift_inputs, down=False)),

@@ -153,7 +153,7 @@ def test_a_place_without_an_actuator_is_refused_and_named():
     design = replace(
         design_of(tone(7)), actuation=ss.Actuation(actuators=(actuator_at,), rig="bench")
     )
-    with pytest.raises(InvalidInputError, match=r"Place 7 has no actuator among the rig bench"):
+    with pytest.raises(InvalidInputError, match=r"Place 7 has no actuator in the rig bench"):
         ss.evaluate(design, "output_rms")
 
 

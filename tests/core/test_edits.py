@@ -80,6 +80,13 @@ def test_when_the_selected_ones_go_a_neighbour_is_selected(gone, selected, then)
     assert outcome.view.selected_inputs == then
 
 
+def test_removed_inputs_are_counted_and_their_clips_where_those_are_more():
+    assert edits.remove_inputs(THREE, LAST, (1,)).said == "1 input removed"
+    several = edits.add_clip(THREE, LAST, 1, 0.5, Tap()).design
+    assert edits.remove_inputs(several, LAST, (1, 3)).said == "2 inputs with 3 clips removed"
+    assert edits.clear_inputs(several, LAST).said == "3 inputs with 4 clips removed"
+
+
 def test_several_inputs_are_muted_at_once_and_heard_again_only_together():
     once = edits.toggle_mute(THREE, LAST, (1,))
     both = edits.toggle_mute(once.design, LAST, (1, 2))

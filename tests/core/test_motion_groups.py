@@ -105,7 +105,10 @@ def test_edits_by_hand_dissolve_a_motion_and_say_so_once():
         assert again.said == ""
         # A drag edits the design as it was when the button went down, and the group stays away.
         dragged = with_whole_motions(outcome.design, edit(design, View(), *more))
-        assert (dragged.design.motions, dragged.said) == ((), "")
+        assert dragged.design.motions == ()
+        assert "single clips" not in dragged.said
+    removed = after_edit(design, edits.remove_inputs, (last,)).said
+    assert removed.startswith("1 input removed. "), "it is a sentence of its own"
 
 
 def test_clips_of_a_dissolved_motion_are_called_after_what_they_play_and_others_keep_their_name():

@@ -55,9 +55,9 @@ def test_the_others_are_predicted_as_if_it_were_muted(design, edited):
 
 
 def test_further_ones_are_named_by_their_places(design):
-    design = replace(design, inputs=(*design.inputs, track(25), track(30)))
+    design = replace(design, inputs=(*design.inputs, track(30), track(25), track(30)))
     text = unplayable_text(shown(design)["unplayable_inputs"])
-    assert text.endswith("; 2 more inputs cannot be played either, at 25, 30.")
+    assert text.endswith("; 3 more inputs cannot be played either, at 25, 30.")
 
 
 def test_it_is_named_with_the_reason_in_one_sentence(design):

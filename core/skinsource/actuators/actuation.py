@@ -272,9 +272,9 @@ class Actuation:
             for actuator in self.actuators:
                 if actuator.place == candidate:
                     return actuator
-        rig = f"the rig {self.rig}" if self.rig else "the actuators of the design"
+        where = f"in the rig {self.rig}" if self.rig else "among the actuators of the design"
         raise InvalidInputError(
-            f"Place {place} has no actuator among {rig}. Move or mute its inputs, choose another "
+            f"Place {place} has no actuator {where}. Move or mute its inputs, choose another "
             "rig, or switch off 'Predict through the actuator'."
         )
 

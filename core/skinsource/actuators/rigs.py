@@ -208,7 +208,7 @@ def wired_channel(rig: Rig, place: int | None) -> RigChannel:
     channel = None if place is None else rig.channel_of(place)
     if channel is None:
         raise InvalidInputError(
-            f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
+            f"Place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
         )
     return channel
 

@@ -360,7 +360,7 @@ def unplayable_text(unplayable: Sequence[UnplayableInput]) -> str:
     """Return one sentence about inputs that cannot be played; empty if there are none."""
     if not unplayable:
         return ""
-    text, *more = unplayable[0].sentence, *(track.location for track in unplayable[1:])
-    places = ", ".join(map(str, more))
+    text, more = unplayable[0].sentence, unplayable[1:]
+    places = ", ".join(map(str, sorted({track.location for track in more})))
     others = f"; {counted(len(more), 'more input')} cannot be played either, at {places}."
     return f"{text.removesuffix('.')}{others}" if more else text

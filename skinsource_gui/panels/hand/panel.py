@@ -16,7 +16,7 @@ from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import new_gesture
-from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu
+from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu, remove_selected
 from skinsource_gui.panels.hand.picture import (
     HAND,
     HandDrawing,
@@ -346,7 +346,7 @@ class HandDiagram(QtWidgets.QWidget):
     all_requested = Signal()
     #: Number of an input, its new site, gesture.
     move_requested = Signal(int, int, int)
-    #: The selected inputs shall be removed.
+    #: The selected clips shall be removed, or else the selected inputs.
     remove_requested = Signal()
     #: Site, position on the screen.
     menu_requested = Signal(int, QPoint)
@@ -550,7 +550,7 @@ class HandPanel(Panel):
         self.diagram.move_requested.connect(self._move)
         self.diagram.toggle_requested.connect(self._toggle)
         self.diagram.all_requested.connect(partial(self._edit, edits.select_all_inputs))
-        self.diagram.remove_requested.connect(self._remove)
+        self.diagram.remove_requested.connect(partial(self._edit, remove_selected))
         self.diagram.menu_requested.connect(self._open_menu)
         self.diagram.stage.changed.connect(self._follow_pointer)
         self.diagram.place_pointed_at.connect(self._point_at_place)
@@ -675,9 +675,6 @@ class HandPanel(Panel):
     def _move(self, index: int, site: int, gesture: int) -> None:
         self._edit(edits.move_inputs, self._ids_at(index), site, gesture=gesture)
 
-    def _remove(self) -> None:
-        self._edit(edits.remove_inputs, self._view.selected_inputs)
-
     def _ids_at(self, index: int) -> tuple[int, ...]:
         """Return the id of an input; empty where the design has lost it, by an undo perhaps."""
         return self._design.ids[index : index + 1]
@@ -694,6 +691,9 @@ class HandPanel(Panel):
         menu.addAction(add, partial(self._add, site))
         menu.addSeparator()
         ids = () if index is None else self._ids_at(index)
+        if ids and self._view.selected_clips:
+            # Keys act on what the menu acts on.
+            self._edit(edits.select_inputs, ids)
         if set(ids) & set(self._view.selected_inputs):
             ids = self._view.selected_inputs
         chosen = [track for track in self._design.inputs if track.id in ids]

@@ -228,7 +228,9 @@ class PresetList(QtWidgets.QListView):
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         super().mouseMoveEvent(event)
-        self._point_at(self.indexAt(event.position().toPoint()).data(ENTRY))
+        # What is dragged is the current one, whichever it passes over.
+        if not event.buttons():
+            self._point_at(self.indexAt(event.position().toPoint()).data(ENTRY))
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)

@@ -407,8 +407,6 @@ class SkinMap(QtWidgets.QWidget):
         if content.same_as(self.content):
             return
         other_limb = content.limb_map is not self.content.limb_map
-        if selected_inputs(content) != selected_inputs(self.content) and self._last == "outputs":
-            self._last = ""
         if content.outputs not in (self.content.outputs, self._chosen):
             # They were selected elsewhere: the old place of the cursor means nothing any more.
             self.picker.cursor_output = None
@@ -420,6 +418,11 @@ class SkinMap(QtWidgets.QWidget):
         self.update()
         if self.picker.pointer is not None or self.hasFocus():
             self.readout_changed.emit(self.readout())
+
+    def leave_outputs(self) -> None:
+        """Let keys act on inputs and clips, of which others were selected."""
+        if self._last == "outputs":
+            self._last = ""
 
     def show_brush(self, paints: bool) -> None:
         """Paint outputs, or select them."""

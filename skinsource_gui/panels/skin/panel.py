@@ -17,6 +17,7 @@ from skinsource.engine.time_rules import block_of
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.thresholds import LIMITS, LIMITS_IN_SHORT
+from skinsource_gui.fields.inputs import remove_selected
 from skinsource_gui.panels.skin.content import (
     MapContent,
     content_of,
@@ -178,6 +179,11 @@ class SkinPanel(Panel):
         self.map.keyPressEvent(event)
 
     def show_state(self, design: Design, view: View) -> None:
+        if (
+            view.selected_inputs != self._view.selected_inputs
+            or view.selected_clips != self._view.selected_clips
+        ):
+            self.map.leave_outputs()
         self._design, self._view = design, view
         before, self.settings = self.settings, settings_of(view, self.name, SkinSettings)
         if self.settings.quantity != before.quantity or chosen_range(self.settings):
@@ -340,7 +346,7 @@ class SkinPanel(Panel):
         self.map.input_pointed_at.connect(self.input_pointed_at)
         self.map.place_pointed_at.connect(self.place_pointed_at)
         self.map.inputs_chosen.connect(partial(self._edit, edits.select_inputs))
-        self.map.removal_requested.connect(self._remove_inputs)
+        self.map.removal_requested.connect(self._remove)
         self.map.painted.connect(self._paint)
         self.map.outputs_chosen.connect(partial(self._edit, edits.select_outputs))
         self.map.menu_requested.connect(self._open_menu)
@@ -366,9 +372,9 @@ class SkinPanel(Panel):
         painted = edits.paint_target(self._design, self._view, outputs, self._brush)
         self.edited.emit(painted, gesture)
 
-    def _remove_inputs(self, outputs_selected: bool) -> None:
-        """Remove those that are selected; where none is, or outputs are meant, say so."""
-        removed = edits.remove_inputs(self._design, self._view, self._view.selected_inputs)
+    def _remove(self, outputs_selected: bool) -> None:
+        """Remove the selected clips or inputs; where none is, or outputs are meant, say so."""
+        removed = remove_selected(self._design, self._view)
         self.edited.emit(NO_OUTPUTS if outputs_selected else removed, None)
 
     def _choose_pace(self, slow_motion: float) -> None:

@@ -280,7 +280,7 @@ def test_a_rig_of_another_device_is_refused(sound, session):
 
 def test_a_place_that_the_rig_does_not_wire_is_refused(sound, session):
     elsewhere = replace(WIRED, inputs=(ss.track(3, BURST),))
-    with pytest.raises(InvalidInputError, match="place 3 is not wired"):
+    with pytest.raises(InvalidInputError, match="Place 3 is not wired"):
         play_wired(session, elsewhere)
 
 

@@ -180,7 +180,7 @@ def test_what_a_device_does_not_have_or_take_is_one_clear_error(card, changes, s
 
 
 def test_what_is_not_known_is_asked_for_before_anything_is_played(card):
-    with pytest.raises(InvalidInputError, match="place 9 is not wired in the rig 'Bench'"):
+    with pytest.raises(InvalidInputError, match="Place 9 is not wired in the rig 'Bench'"):
         measured(place=9)
     with pytest.raises(InvalidInputError, match="volts at full scale"):
         measured(place=2)

@@ -8,8 +8,9 @@ from PySide6.QtGui import QKeyEvent, QShortcut
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource import track
-from tests.gui.hand.bench import CONTROL, KEY, NONE, SHIFT, short
+from skinsource import Clip, Input, track
+from skinsource.design.waveforms import Tap
+from tests.gui.hand.bench import CONTROL, KEY, LEFT, NONE, SHIFT, short
 from tests.gui.menus import KEYBOARD
 
 
@@ -67,6 +68,22 @@ def test_ctrl_a_selects_all_and_delete_removes_all_in_one_step(studio):
     studio.keys(KEY.Key_Delete)
     assert studio.sites == []
     assert len(studio.edits) == 1
+
+
+def test_delete_removes_the_selected_clips_and_only_without_any_the_inputs(studio):
+    studio.put(Input(location=7, clips=(Clip(waveform=Tap()),) * 2), track(location=9))
+    first, *others = (clip.id for clip in studio.design.clips)
+    studio.show(selected_inputs=(1,), selected_clips=(first,))
+    # A click beside the hand selects nothing else.
+    QTest.mouseClick(studio.diagram, LEFT, NONE, QPoint(2, studio.diagram.height() - 2))
+    studio.keys(KEY.Key_Delete)
+    assert [clip.id for clip in studio.design.clips] == others
+    assert studio.sites == [7, 9]
+    # The menu of an input means the input, and so does Delete then.
+    studio.show(selected_inputs=(1, 2), selected_clips=tuple(others))
+    studio.menu(9)
+    studio.keys(KEY.Key_Delete)
+    assert studio.sites == [7]
 
 
 def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio):

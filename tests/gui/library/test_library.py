@@ -81,6 +81,17 @@ def test_a_double_click_places_and_a_click_only_looks(bench):
     assert bench.labels == ["Place Click"]
 
 
+def test_the_preview_stays_that_of_a_row_that_is_dragged_over_others(bench):
+    rows = bench.panel.rows
+    dragged, other = (rows.visualRect(rows.model().index(k, 0)).center() for k in (1, 3))
+    QTest.mouseMove(rows.viewport(), other)
+    assert bench.panel.preview.preset.name == bench.names[3]
+    QTest.mousePress(rows.viewport(), LEFT, pos=dragged)
+    QTest.mouseMove(rows.viewport(), other)
+    assert bench.panel.preview.preset.name == bench.names[1]
+    QTest.mouseRelease(rows.viewport(), LEFT, pos=other)
+
+
 def test_every_shipped_preset_is_listed_and_drawn_once_it_is_shown(bench):
     assert set(bench.names) == {entry.preset.name for entry in SHIPPED}
     panel = bench.panel

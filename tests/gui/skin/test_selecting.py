@@ -208,6 +208,18 @@ def test_where_outputs_were_selected_last_delete_removes_no_input_that_was_befor
     assert window.design.ids == before.ids[1:]
 
 
+def test_delete_removes_the_clips_that_were_selected_last_and_no_input(window, map_):
+    first, second = window.design.ids
+    # A click between two outputs selects nothing; one on an output before it does not count.
+    click(window, 8)
+    (clip,) = window.design.input(first).clips
+    window.show(selected_inputs=(first,), selected_clips=(clip.id,))
+    QTest.mouseClick(map_, LEFT, PLAIN, QPoint(6, map_.height() - 60))
+    QTest.keyClick(map_, KEY.Key_Delete)
+    assert window.design.ids == (first, second)
+    assert [len(track.clips) for track in window.design.inputs] == [0, 1]
+
+
 def test_escape_after_a_click_on_an_input_selects_no_input_and_then_no_output(window, map_):
     click_input(map_, 16)
     QTest.keyClick(map_, KEY.Key_Escape)

@@ -5,6 +5,7 @@ from dataclasses import replace
 from itertools import count
 from typing import Any
 
+from skinsource.base.errors import counted
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, View, track
 from skinsource.design.edits.clips import (
@@ -174,7 +175,15 @@ def remove_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
         label=f"Remove {tracks_text(chosen, design.limb)}",
         design=after,
         view=kept_selection(view, design, after),
+        said=_removed_text(chosen),
     )
+
+
+def _removed_text(chosen: tuple[Input, ...]) -> str:
+    """Return how many inputs were removed, and how many clips where those are more."""
+    n_clips = sum(len(track.clips) for track in chosen)
+    clips = f" with {counted(n_clips, 'clip')}" if n_clips > len(chosen) else ""
+    return f"{counted(len(chosen), 'input')}{clips} removed"
 
 
 @refusing
@@ -195,6 +204,7 @@ def clear_inputs(design: Design, view: View) -> Edit | Refusal:
         label="Remove all inputs",
         design=replace(design, inputs=()),
         view=replace(view, selected_inputs=(), selected_clips=()),
+        said=_removed_text(design.inputs),
     )
 
 

@@ -10,7 +10,7 @@ from dataclasses import replace
 from statistics import mode
 from typing import Any
 
-from skinsource.base.errors import InvalidInputError, counted, quoted
+from skinsource.base.errors import InvalidInputError, counted, quoted, sentence
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, MotionGroup, View
 from skinsource.design.edits.clips import clips_selected
@@ -123,7 +123,7 @@ def with_whole_motions(before: Design, edit: Edit) -> Edit:
     said = edit.said
     if lost:
         apart = f"{lost[0].motion.title} is now single clips; Undo brings it back."
-        said = " ".join(filter(None, (said, apart)))
+        said = f"{sentence(said)} {apart}" if said else apart
     if gone:
         design = _without_labels(design, gone.values(), set().union(*kept))
     return replace(edit, design=replace(design, motions=whole), said=said)
