@@ -72,6 +72,8 @@ _REACH, _EXTREMES_BETA = 24, 5.7
 _STRETCH, _EXTREMES_BATCH = 32, 12
 # Samples of all signals in a block: its points stay in the processor's cache.
 _EXTREMES_BLOCK = 2**15
+# Samples of a curve whose extremes are remembered.
+_MOST_REMEMBERED = 2**16
 # Smaller values, relative to the peak, count as silence: the smallest floats are slow.
 _SILENT = 1e-9
 
@@ -486,6 +488,18 @@ def extremes_between(
         Called before each block.
     """
     end = signals.shape[-1] if end is None else end
+    if len(signals) == 1 and signals.size <= _MOST_REMEMBERED:
+        return _last_extremes(signals.tobytes(), signals.shape, first, end)
+    return _extremes(signals, first, end, stop)
+
+
+# What an input plays is often its only clip: its peak is shown, and the curve drawn twice.
+@lru_cache(maxsize=1)
+def _last_extremes(samples: bytes, shape: tuple[int, ...], first: int, end: int) -> Extremes:
+    return _extremes(np.frombuffer(samples).reshape(shape), first, end)
+
+
+def _extremes(signals: Floats, first: int, end: int, stop: Stop = never) -> Extremes:
     vectors = signals if signals.ndim == 3 else signals[:, np.newaxis]
     n_curves, n_axes, n_times = vectors.shape
     around = max(first - _REACH, 0), min(end + _REACH, n_times)
