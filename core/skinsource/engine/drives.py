@@ -67,12 +67,9 @@ class DrawnClips:
         return self._get((waveform, sample_rate_hz, shift_s), draw)
 
     def _get(self, key: Hashable, compute: Callable[[], Floats]) -> Floats:
-        def read_only() -> Floats:
-            samples = compute()
-            samples.flags.writeable = False
-            return samples
-
-        return self._known.get(key, read_only)
+        samples = self._known.get(key, compute)
+        samples.flags.writeable = False
+        return samples
 
 
 class OfTracks(Generic[V]):
