@@ -299,10 +299,7 @@ class CheckingPage(ToolPage):
         for box in self.boxes:
             box.reading.connect(self.say_reading)
         self.run.changed.connect(self._show)
-        self.run.progressed.connect(lambda _, progress: self.say(f"{progress.text}…"))
-        self.run.done.connect(self._take)
-        self.run.failed.connect(self.complain)
-        self.run.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
+        self.follow_jobs(self.run, self._take)
         self.finished.connect(self.run.give_up)
         self._show()
 

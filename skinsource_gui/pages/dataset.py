@@ -44,10 +44,7 @@ class DatasetPage(ToolPage):
         buttons = in_row(self._install, self._fetch, None, self._cancel, self._close)
         in_column(about, None, self.message, self._bar, buttons, of=self, gap_px=UNIT_PX)
         self._jobs.changed.connect(self._show_state)
-        self._jobs.progressed.connect(self._show_progress)
-        self._jobs.done.connect(self._note_done)
-        self._jobs.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
-        self._jobs.failed.connect(self.complain)
+        self.follow_jobs(self._jobs, self._note_done, progressed=self._show_progress)
         self._show_installed()
         self._show_state()
 

@@ -13,6 +13,7 @@ from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.layouts import Policy
 from skinsource_gui.qt.questions import ask_save
 from skinsource_gui.qt.theme import set_tone
+from skinsource_gui.state.job_runner import PageJobs
 from skinsource_gui.state.preferences import Preferences
 
 _POLL_MS = 10
@@ -97,6 +98,20 @@ class ToolPage(QtWidgets.QDialog):
         """Show why something did not work."""
         set_tone(self.message, "error")
         self.message.setText(sentence(reason))
+
+    def follow_jobs(
+        self,
+        jobs: PageJobs,
+        done: Callable[..., object],
+        *,
+        progressed: Callable[..., object] | None = None,
+        cancelled: str = "Cancelled. Nothing was changed.",
+    ) -> None:
+        """Say what becomes of jobs; how far they are, too, unless ``progressed`` does."""
+        jobs.progressed.connect(progressed or (lambda _, step: self.say(f"{step.text}…")))
+        jobs.done.connect(done)
+        jobs.failed.connect(self.complain)
+        jobs.cancelled.connect(lambda: self.say(cancelled))
 
     def once_released(self, do: Callable[[], object]) -> None:
         """Do something once the mouse is up: for a window that is hidden before, it stays down."""

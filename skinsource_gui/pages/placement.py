@@ -170,10 +170,7 @@ class PlacementPage(ToolPage):
             edited.connect(self.ask)
         self.table.currentCellChanged.connect(self._show_layout)
         self.run.changed.connect(lambda: self._find.setText("Stop" if self.run.busy else "Find"))
-        self.run.progressed.connect(lambda _, step: self.say(f"{step.text}…"))
-        self.run.done.connect(self._show)
-        self.run.failed.connect(self.complain)
-        self.run.cancelled.connect(lambda: self.say("Stopped."))
+        self.follow_jobs(self.run, self._show, cancelled="Stopped.")
         self.finished.connect(self.run.give_up)
         self._choose()
 

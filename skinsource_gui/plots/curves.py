@@ -16,7 +16,6 @@ from skinsource.base.conventions import Floats
 from skinsource.limbs.locations import LocationNames, output_name
 from skinsource.signals.resampling import Extremes
 from skinsource_gui.plots.ranges import (
-    CachedColumns,
     Columns,
     Kind,
     Points,
@@ -26,6 +25,7 @@ from skinsource_gui.plots.ranges import (
     ValueUnit,
     Wave,
     XWindow,
+    columns_of,
     in_rows,
     linear_ticks,
     readable_ticks,
@@ -256,7 +256,6 @@ def visible_range(
     n_drawn: int,
     row: QRectF,
     ratio: float,
-    columns: CachedColumns,
 ) -> VisibleRange:
     """Return the visible part of the first ``n_drawn`` curves.
 
@@ -269,14 +268,12 @@ def visible_range(
         The curves, and the visible part of their x axis.
     row, ratio
         Area of a row, px, and device pixels per px.
-    columns
-        The cached columns of the plot.
     """
     x, y = window.axis.positions(curves.x), curves.y[:n_drawn]
     if window.axis.log:
         x, y = x[curves.x > 0], y[:, curves.x > 0]
     wave = None if curves.wave is None else _visible_wave(curves.wave, window, n_drawn)
-    visible = columns.of(x, window.shown, int(row.width() * ratio))
+    visible = columns_of(x, window.shown, int(row.width() * ratio))
     return visible_course(visible, y, wave, row.width(), ratio)
 
 

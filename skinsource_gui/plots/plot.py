@@ -28,7 +28,6 @@ from skinsource_gui.plots.curves import (
 )
 from skinsource_gui.plots.ranges import (
     EDGE,
-    CachedColumns,
     Range,
     SteadyRange,
     ValueScale,
@@ -581,8 +580,6 @@ class Plot(Canvas):
         Texts around the curves, and their font.
     places
         The layout, px.
-    columns
-        Cache of the samples in each column of pixels.
     playhead, cursors
         The playhead, for plots over time; two cursors, where the user wants them.
     """
@@ -611,7 +608,6 @@ class Plot(Canvas):
         self.zoom: Range | None = None
         self.stacked = self.fitted = False
         self.texts, self.steady_range = PlotTexts(), SteadyRange()
-        self.columns = CachedColumns()
         self._content: tuple[PlotContent, XWindow] | None = None
         self.crosshair = Crosshair(self)
         self.crosshair.moved.connect(self.reading_changed)
@@ -770,7 +766,7 @@ class Plot(Canvas):
         n_drawn = self.curves.n_drawn(places.n_rows, stacked=self.stacked)
         rows = [places.row(rank // each if self.stacked else 0) for rank in range(n_drawn)]
         ratio = PAPER_DOTS if self._on_paper else self.devicePixelRatioF()
-        visible = visible_range(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
+        visible = visible_range(self.curves, self.x_window, n_drawn, rows[0], ratio)
         fitted = self.fitted and self.zoom is not None
         if values := visible.extremes if fitted else visible.beyond(self.value_scale.values):
             self._fit(self.curves, values)

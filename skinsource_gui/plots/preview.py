@@ -16,7 +16,7 @@ from skinsource.engine.memory import Memory
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
-from skinsource_gui.plots.ranges import CachedColumns, Range, linear_ticks, wave_of
+from skinsource_gui.plots.ranges import Range, columns_of, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
 from skinsource_gui.qt.layouts import Policy, named
 from skinsource_gui.qt.theme import (
@@ -137,13 +137,7 @@ class ClipStyle:
     ratio: float = 1.0
 
 
-def paint_samples(
-    painter: QtGui.QPainter,
-    samples: Floats,
-    area: QRectF,
-    style: ClipStyle,
-    columns: CachedColumns,
-) -> None:
+def paint_samples(painter: QtGui.QPainter, samples: Floats, area: QRectF, style: ClipStyle) -> None:
     """Paint samples, (n_times,), as a curve; of few, the wave between them."""
     if not samples.size:
         return
@@ -151,7 +145,7 @@ def paint_samples(
     first_s, end_s = (share * samples.size / style.sample_rate_hz for share in style.part)
     across = max(round(area.width() * style.ratio), 1)
     wave = wave_of(time_s, samples[np.newaxis])
-    known = columns.of(time_s, (first_s, end_s), across)
+    known = columns_of(time_s, (first_s, end_s), across)
     curve = visible_course(known, samples[np.newaxis], wave, area.width(), style.ratio)
     heights = style.reach * curve.line.y[0]
     if curve.wave:
@@ -175,16 +169,9 @@ def paint_samples(
 
 
 class ClipPictures:
-    """Curves of clips, painted once for each size and style; the oldest are dropped first.
-
-    Attributes
-    ----------
-    columns
-        Columns of the samples that were painted last.
-    """
+    """Curves of clips, painted once for each size and style; the oldest are dropped first."""
 
     def __init__(self) -> None:
-        self.columns = CachedColumns()
         self.forget()
 
     def paint(
@@ -192,7 +179,7 @@ class ClipPictures:
     ) -> None:
         """Paint what a clip plays; on paper as lines."""
         if is_on_paper():
-            paint_samples(painter, samples, area, style, self.columns)
+            paint_samples(painter, samples, area, style)
             return
         painter.drawPixmap(area.topLeft(), self.picture(samples, area.size(), style))
 
@@ -212,7 +199,7 @@ class ClipPictures:
         made.fill(Qt.GlobalColor.transparent)
         on_picture = QtGui.QPainter(made)
         room = QRectF(QPointF(), size)
-        paint_samples(on_picture, samples, room, style, self.columns)
+        paint_samples(on_picture, samples, room, style)
         on_picture.end()
         return samples, made
 
@@ -295,7 +282,6 @@ class ClipStrip(_Preview):
         #: What is shown, and the message in its place, or "".
         self.lanes: tuple[Lane, ...] = ()
         self.message = ""
-        self._columns = CachedColumns()
 
     def show_lanes(self, lanes: tuple[Lane, ...]) -> None:
         """Show these tracks."""
@@ -388,7 +374,7 @@ class ClipStrip(_Preview):
         painter.drawRoundedRect(box, 3, 3)
         rate_hz = clip.samples.size / clip.duration_s
         style = ClipStyle(rate_hz, colour.rgba(), 1.0, ratio=dots_in_px(painter))
-        paint_samples(painter, clip.samples, box, style, self._columns)
+        paint_samples(painter, clip.samples, box, style)
 
 
 def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:

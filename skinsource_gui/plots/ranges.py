@@ -457,8 +457,6 @@ MOST_IN_COLUMN, _MOST_OF_WAVES = 4, 8
 _MOST_TURNS = 0.85
 # Heights between 0 and the peak that look different.
 _SEEN_STEPS = 100
-# Samples of an axis up to which it is compared with the one before.
-_MOST_COMPARED = 2**15
 # A stroke that is shorter than this part of what its neighbours cover is a gap, not a notch.
 _GAP = 0.1
 # Rounding errors of extremes, as a part of the peak.
@@ -598,24 +596,6 @@ def columns_of(x: Floats, shown: Range, width_px: int) -> Columns:
     middles = low + column * (columns + 0.5)
     places = np.repeat(np.where(alone, x[starts], middles), 2)
     return Columns(part=part, x=x, places=places, starts=starts)
-
-
-class CachedColumns:
-    """Caches the last columns: most edits do not change the axis."""
-
-    def __init__(self) -> None:
-        self._axis: Floats = np.zeros(0)
-        self._view: tuple[Range, int] | None = None
-        self._columns: Columns | None = None
-
-    def of(self, x: Floats, shown: Range, width_px: int) -> Columns:
-        """Return `columns_of` these arguments."""
-        # Comparing many samples takes longer than computing their columns.
-        is_axis = x is self._axis or (x.size <= _MOST_COMPARED and np.array_equal(x, self._axis))
-        if self._columns is None or self._view != (shown, width_px) or not is_axis:
-            self._axis, self._view = x, (shown, width_px)
-            self._columns = columns_of(x, shown, width_px)
-        return self._columns
 
 
 def in_rows(y_px: Floats, ratio: float) -> Floats:

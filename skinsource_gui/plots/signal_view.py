@@ -412,7 +412,7 @@ class SignalView(QtWidgets.QWidget):
             "Measure between two lines; drag them, or press I and O",
             self._ask_cursors,
         )
-        self.toolbar.everything_requested.connect(self._show_everything)
+        self.toolbar.everything_requested.connect(self.plot.navigation.show_everything)
         self.plot.reading_changed.connect(self._read)
         self.plot.menu_requested.connect(self._open_menu)
 
@@ -457,9 +457,6 @@ class SignalView(QtWidgets.QWidget):
             self.plot.show_message(_COMPUTING)
         self.plot.set_texts(replace(self.plot.texts, stale=stale))
 
-    def _show_everything(self) -> None:
-        self.zoom_requested.emit(None)
-
     def _ask_cursors(self, on: bool) -> None:
         low, high = self.plot.x_window.values(self.plot.x_window.shown)
         quarter = (high - low) / 4
@@ -475,7 +472,7 @@ class SignalView(QtWidgets.QWidget):
         menu = passing_menu(self, "plot-menu")
         # The plot handles the keys; the menu only shows them.
         view_all = menu.addAction(f"View all\t{key_text('plot', 'whole')}")
-        view_all.triggered.connect(self._show_everything)
+        view_all.triggered.connect(self.plot.navigation.show_everything)
         for switch in self._in_menu:
             chosen = menu.addAction(switch.accessibleName())
             chosen.setCheckable(True)

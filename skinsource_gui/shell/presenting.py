@@ -1,6 +1,5 @@
 """Presenting: the window without its bars, scenes by one key, maps that can be covered, notes."""
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -15,6 +14,7 @@ from skinsource.base.errors import DesignFileError, SkinSourceError
 from skinsource.design.design import Design, View
 from skinsource.design.design_file import SUFFIX, ShowEntry, UnreadEntry, open_design, open_show
 from skinsource.design.panel_settings import STAGE, StageSettings, settings_of, with_settings
+from skinsource.design.presets.presets import by_number
 from skinsource.studies import scenes
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
@@ -178,12 +178,8 @@ def steps_of_folder(folder: Path) -> tuple[Step, ...]:
         paths = [path for path in folder.iterdir() if path.suffix == SUFFIX]
     except OSError:
         return ()
-    return tuple(Step(at.stem, partial(opened, at), at) for at in sorted(paths, key=_natural))
-
-
-def _natural(path: Path) -> list[tuple[int, str]]:
-    parts = re.split(r"(\d+)", path.stem.casefold())
-    return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts]
+    paths.sort(key=lambda path: by_number(path.stem))
+    return tuple(Step(at.stem, partial(opened, at), at) for at in paths)
 
 
 def steps_of_show(entries: Sequence[Entry]) -> tuple[Step, ...]:

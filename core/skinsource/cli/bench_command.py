@@ -83,15 +83,11 @@ def _bench(arguments: argparse.Namespace) -> None:
             raise
         _write(folder, rows, arguments.limb, "It was stopped before the end.")
         raise Stopped(f"stopped. The results so far are in {folder}") from None
-    between = _between_people()
+    # What the range between people held needs the measured limbs.
+    between = [f"{RANGE_BETWEEN_PEOPLE}\n\n{held_text(range_held())}"] if is_installed() else []
     _write(folder, rows, arguments.limb, after=between)
     sys.stdout.write("\n".join((table_text(rows), MEANING, *between, "")))
     write_plots(rows, folder / _NAME)
-
-
-def _between_people() -> tuple[str, ...]:
-    """Return what the range between people held; nothing without the measured limbs."""
-    return (f"{RANGE_BETWEEN_PEOPLE}\n\n{held_text(range_held())}",) if is_installed() else ()
 
 
 def _write(

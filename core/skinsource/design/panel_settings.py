@@ -7,7 +7,7 @@ that files can hold the settings of panels that this library does not know.
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from dataclasses import fields as dataclass_fields
-from typing import Any, TypeVar, cast
+from typing import Any, TypeVar
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.design import Plain, View
@@ -17,10 +17,6 @@ from skinsource.specs.spec import ChoiceSpec, SwitchSpec
 
 Settings = TypeVar("Settings")
 
-# The last settings of each panel and the data that they were read from, because a drag asks for
-# them many times.  Data are compared by identity: equal plain data can have different types.
-_cache: dict[tuple[str, type], tuple[object, object]] = {}
-
 
 def settings_of(view: View, panel: str, kind: type[Settings]) -> Settings:
     """Return the settings of one panel.
@@ -28,9 +24,6 @@ def settings_of(view: View, panel: str, kind: type[Settings]) -> Settings:
     A field that is not in the view, or whose value is not allowed, has its default: settings of a
     panel must not prevent opening a design.
     """
-    cached = _cache.get((panel, kind))
-    if cached is not None and cached[0] is view.panels:
-        return cast(Settings, cached[1])
     stored = dict(dict(view.panels).get(panel, ()))
     settings = kind()
     for field in dataclass_fields(settings):  # type: ignore[arg-type]
@@ -38,7 +31,6 @@ def settings_of(view: View, panel: str, kind: type[Settings]) -> Settings:
             with suppress(InvalidInputError):
                 changed = {field.name: stored[field.name]}
                 settings = replace(settings, **changed)  # type: ignore[type-var]
-    _cache[panel, kind] = view.panels, settings
     return settings
 
 

@@ -244,9 +244,7 @@ def taken(
         raise InvalidInputError("there is no sample in this part; choose another one")
     notes: list[str] = []
     if values.ndim == 1:
-        signal, rate = _with_steady_rate(
-            _without_gaps(values, choice, notes), choice, stamps_s, notes
-        )
+        signal, rate = _with_steady_rate(values, choice, stamps_s, notes)
     else:
         signal, rate = _one_signal(values, choice, stamps_s, notes)
     offset = _offset(signal, choice, notes)
@@ -274,9 +272,7 @@ def _one_signal(
     signals: list[Floats] = []
     rate, axis_notes = Fraction(1), list[str]()
     for axis in axes:
-        signal, rate = _with_steady_rate(
-            _without_gaps(axis, choice, axis_notes), choice, stamps_s, axis_notes
-        )
+        signal, rate = _with_steady_rate(axis, choice, stamps_s, axis_notes)
         signals.append(np.asarray(signal, np.float64) - _offset(signal, choice, axis_notes))
     notes += dict.fromkeys(axis_notes)
     notes.append(
@@ -287,8 +283,10 @@ def _one_signal(
 
 
 def _with_steady_rate(
-    signal: NDArray[Any], choice: ImportChoice, stamps_s: Floats | None, notes: list[str]
+    values: NDArray[Any], choice: ImportChoice, stamps_s: Floats | None, notes: list[str]
 ) -> tuple[NDArray[Any], Fraction]:
+    """Return numbers without gaps in equal steps of time, and their rate."""
+    signal = _without_gaps(values, choice, notes)
     if stamps_s is None:
         if choice.rate_hz is None:
             raise InvalidInputError("the file does not state its sample rate; enter it")
@@ -459,8 +457,6 @@ class RawPart:
     landmarks_s
         Times of up to 601 samples, evenly chosen among all, the last one included; None where the
         rate gives them.
-    read_for
-        The fields of the choice on which the reading depended.
     """
 
     path: Path
@@ -470,7 +466,6 @@ class RawPart:
     rate_hz: float | None
     lasts_s: float
     landmarks_s: Floats | None
-    read_for: tuple[object, ...]
 
     @property
     def n_missing(self) -> int:
@@ -562,7 +557,6 @@ def _read(
         rate_hz=rate_hz,
         lasts_s=lasts_s,
         landmarks_s=landmarks_s,
-        read_for=read_for(choice),
     )
 
 

@@ -47,15 +47,12 @@ class Session:
     ----------
     folder
         The user's data folder, which gets the folder of copies.
-    most
-        Most copies at a time; older ones are deleted.
     """
 
-    def __init__(self, folder: Path, most: int = MOST_COPIES) -> None:
+    def __init__(self, folder: Path) -> None:
         owner = this_process()
         started = time.strftime("%Y%m%d-%H%M%S")
         self.folder = folder / FOLDER / f"{started}-{owner.pid}-{secrets.token_hex(3)}"
-        self._most = most
         self._copies: list[Path] = []
         self._number = 0
         self._last: DesignFile | None = None
@@ -91,9 +88,9 @@ class Session:
         self._last = content
         if picture:
             write_bytes(path.with_suffix(PICTURE), picture, private=True)
-        for old in self._copies[: -self._most]:
+        for old in self._copies[:-MOST_COPIES]:
             _delete(old, old.with_suffix(PICTURE))
-        del self._copies[: -self._most]
+        del self._copies[:-MOST_COPIES]
         return path
 
     def forget(self) -> None:

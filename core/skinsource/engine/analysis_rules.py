@@ -4,7 +4,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import numpy as np
 import scipy
@@ -164,14 +163,7 @@ def place_noise(limb: Limb, location: int) -> Floats | None:
     rate, before_s = limb.sample_rate_hz, limb.pre_trigger_delay_s
     if limb.synthetic or not tells_noise(rate, before_s):
         return None
-    # Sweeps need it for each stimulus.
-    known = _NOISE_OF_LIMBS.setdefault(limb, {})
-    if location not in known:
-        known[location] = noise_rms(limb.response_to(location), rate, before_s)
-    return known[location]
-
-
-_NOISE_OF_LIMBS: WeakKeyDictionary[Limb, dict[int, Floats]] = WeakKeyDictionary()
+    return noise_rms(limb.response_to(location), rate, before_s)
 
 
 @lru_cache(maxsize=8)

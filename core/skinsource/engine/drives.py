@@ -1,6 +1,7 @@
 """Samples of clips, signal paths of tracks, and drives with their spectra, all computed once."""
 
 from collections.abc import Callable, Hashable
+from typing import Any, Generic
 
 import numpy as np
 
@@ -11,17 +12,9 @@ from skinsource.base.work import tally
 from skinsource.design.clips import Clip
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import placed, played
-from skinsource.design.signal_path import (
-    Curve,
-    Drive,
-    Part,
-    SignalPath,
-    UnitVoice,
-    drive_played,
-    placed_signal_path,
-)
+from skinsource.design.signal_path import Drive, Part, UnitVoice, drive_played
 from skinsource.design.waveform import Waveform
-from skinsource.engine.memory import CLIPS_BYTES, DRIVES_BYTES, Memory, MemoryOfHeld
+from skinsource.engine.memory import CLIPS_BYTES, DRIVES_BYTES, Memory, MemoryOfHeld, V
 from skinsource.engine.transforms import forward
 
 
@@ -47,6 +40,24 @@ class DrawnClips:
             lambda: played(waveform, effects, sample_rate_hz, shift_s, draw=self._drawn),
         )
 
+    def of_clips(
+        self, clips: tuple[Clip, ...], sample_rate_hz: float, stop: Stop
+    ) -> tuple[Floats | None, ...]:
+        """Return the samples of each clip, (n_times,), after its effects and before its gain.
+
+        None for a clip that cannot be sampled.
+        """
+        every: list[Floats | None] = []
+        for clip in clips:
+            stop_if(stop)
+            effects = tuple(effect for effect in clip.effects if effect.on)
+            try:
+                _, shift_s = placed(clip.waveform, effects, clip.onset_s, sample_rate_hz)
+                every.append(self.of(clip.waveform, effects, sample_rate_hz, shift_s))
+            except InvalidInputError:
+                every.append(None)
+        return tuple(every)
+
     def _drawn(self, waveform: Waveform, sample_rate_hz: float, shift_s: float) -> Floats:
         def draw() -> Floats:
             samples = waveform.samples(sample_rate_hz, shift_s)
@@ -56,74 +67,25 @@ class DrawnClips:
         return self._get((waveform, sample_rate_hz, shift_s), draw)
 
     def _get(self, key: Hashable, compute: Callable[[], Floats]) -> Floats:
-        def read_only() -> Floats:
-            samples = compute()
-            samples.flags.writeable = False
-            return samples
-
-        return self._known.get(key, read_only)
+        samples = self._known.get(key, compute)
+        samples.flags.writeable = False
+        return samples
 
 
-_KnownClip = tuple[Clip, float, Floats | None]
-
-
-class ClipWaveforms:
-    """Samples of the clips of a design, for pictures of them; unchanged clips cost no look-up."""
-
-    def __init__(self, drawn: DrawnClips) -> None:
-        self._drawn = drawn
-        self._known: dict[int, _KnownClip] = {}
-
-    def of(
-        self, tracks: tuple[tuple[Clip, ...], ...], sample_rate_hz: float, stop: Stop
-    ) -> tuple[tuple[Floats | None, ...], ...]:
-        """Return the samples of each clip, (n_times,), after its effects and before its gain.
-
-        None for a clip that cannot be sampled.
-        """
-        latest: dict[int, _KnownClip] = {}
-        for clips in tracks:
-            for clip in clips:
-                known = self._known.get(clip.id)
-                if known is None or known[0] is not clip or known[1] != sample_rate_hz:
-                    stop_if(stop)
-                    known = clip, sample_rate_hz, self._samples(clip, sample_rate_hz)
-                latest[clip.id] = known
-        self._known = latest
-        return tuple(tuple(latest[clip.id][2] for clip in clips) for clips in tracks)
-
-    def _samples(self, clip: Clip, sample_rate_hz: float) -> Floats | None:
-        effects = tuple(effect for effect in clip.effects if effect.on)
-        try:
-            _, shift_s = placed(clip.waveform, effects, clip.onset_s, sample_rate_hz)
-            return self._drawn.of(clip.waveform, effects, sample_rate_hz, shift_s)
-        except InvalidInputError:
-            return None
-
-
-_KnownChain = tuple[tuple[Clip, ...], Curve, float, tuple[int, SignalPath]]
-#: Far more than a design has tracks.
-_MOST = 1000
-
-
-class PlacedSignalPaths:
-    """The latest signal path of each track, made anew when its clips change."""
+class OfTracks(Generic[V]):
+    """The latest value of each track, made anew where what it is made from has changed."""
 
     def __init__(self) -> None:
-        self._known: dict[int, _KnownChain] = {}
+        self._known: dict[int, tuple[tuple[Any, ...], V]] = {}
 
-    def of(
-        self, id: int, clips: tuple[Clip, ...], gain_curve: Curve, sample_rate_hz: float
-    ) -> tuple[int, SignalPath]:
-        """Return start and signal path of the track with this id, see `placed_signal_path`."""
-        known = self._known.get(id)
-        if known is not None and known[0] is clips and known[1:3] == (gain_curve, sample_rate_hz):
-            return known[3]
-        start_and_chain = placed_signal_path(clips, gain_curve, sample_rate_hz)
-        if len(self._known) >= _MOST:
-            self._known.clear()
-        self._known[id] = clips, gain_curve, sample_rate_hz, start_and_chain
-        return start_and_chain
+    def of(self, made_from: dict[int, tuple[Any, ...]], make: Callable[..., V]) -> list[V]:
+        """Return the values of tracks, given by id with the arguments of ``make``."""
+        latest = {}
+        for id, given in made_from.items():
+            known = self._known.get(id)
+            latest[id] = known if known and known[0] == given else (given, make(*given))
+        self._known = latest
+        return [value for _, value in latest.values()]
 
 
 class Drives:

@@ -21,8 +21,8 @@ from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.work import tally
-from skinsource.design.signal_path import Drive, UnitVoice, Voice, check_drive
-from skinsource.engine.drives import ClipWaveforms, Drives, PlacedSignalPaths
+from skinsource.design.signal_path import Drive, SignalPath, UnitVoice, Voice, check_drive
+from skinsource.engine.drives import Drives, OfTracks
 from skinsource.engine.memory import GAINS_BYTES, Memory
 from skinsource.engine.spectra import (
     BAND_BINS,
@@ -292,9 +292,9 @@ class EngineMemory:
 
     def __init__(self) -> None:
         self.responses = RESPONSE_SPECTRA
-        self.signal_paths = PlacedSignalPaths()
+        self.signal_paths = OfTracks[tuple[int, SignalPath]]()
         self.drives = Drives()
-        self.clip_waveforms = ClipWaveforms(self.drives.clips)
+        self.clip_waveforms = OfTracks[tuple[Floats | None, ...]]()
         self.gains = Memory[float](GAINS_BYTES, getsizeof)
         self.exact_spectra = ExactSpectra()
 

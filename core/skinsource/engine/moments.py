@@ -6,7 +6,7 @@ theorem: no channel is transformed back to time.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import combinations
 
 import numpy as np
@@ -246,12 +246,10 @@ def _row_products(matrix: Floats, column: Floats) -> Floats:
     return sums
 
 
-@lru_cache(maxsize=8)
 def _weights(n_fft: int) -> Floats:
     """Return the factors in Parseval's sum: 2 / n_fft, and half of it at both ends."""
     weights = np.full(n_fft // 2 + 1, 2.0 / n_fft)
     weights[[0, -1]] *= 0.5
-    weights.flags.writeable = False
     return weights
 
 

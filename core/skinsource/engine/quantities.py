@@ -16,7 +16,7 @@ from skinsource.base.conventions import Band, Floats
 from skinsource.base.job import Stop
 from skinsource.design.design import Design, Input, View, audible_indices
 from skinsource.design.panel_settings import SpectrogramSettings, settings_of
-from skinsource.design.signal_path import Voice
+from skinsource.design.signal_path import Voice, placed_signal_path
 from skinsource.engine import (
     analysis_rules,
     level_rules,
@@ -42,22 +42,19 @@ def voices(
 ) -> tuple[Voice, ...]:
     """What sounds where, from when, how strong, through what signal path: one for each input."""
     audible = set(audible_indices(inputs))
-    result = []
-    for index, track in enumerate(inputs):
-        start, signal_path = remembered.signal_paths.of(
-            track.id, track.clips, track.gain_curve, sample_rate_hz
+    made_from = {track.id: (track.clips, track.gain_curve, sample_rate_hz) for track in inputs}
+    paths = remembered.signal_paths.of(made_from, placed_signal_path)
+    return tuple(
+        Voice(
+            id=track.id,
+            location=track.location,
+            start=start,
+            amplitude=track.amplitude,
+            audible=index in audible,
+            signal_path=signal_path,
         )
-        result.append(
-            Voice(
-                id=track.id,
-                location=track.location,
-                start=start,
-                amplitude=track.amplitude,
-                audible=index in audible,
-                signal_path=signal_path,
-            )
-        )
-    return tuple(result)
+        for index, (track, (start, signal_path)) in enumerate(zip(inputs, paths, strict=True))
+    )
 
 
 def clip_waveforms(
@@ -67,8 +64,9 @@ def clip_waveforms(
 
     None for a clip that cannot be sampled.
     """
-    tracks = tuple(track.clips for track in inputs)
-    return remembered.clip_waveforms.of(tracks, sample_rate_hz, stop)
+    made_from = {track.id: (track.clips, sample_rate_hz) for track in inputs}
+    samples_of = partial(remembered.drives.clips.of_clips, stop=stop)
+    return tuple(remembered.clip_waveforms.of(made_from, samples_of))
 
 
 def limb_map(limb_data: Limb) -> LimbMap:

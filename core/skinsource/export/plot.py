@@ -1044,11 +1044,6 @@ def strip(
         raise InvalidInputError(
             "no whole window fits into the response; choose a shorter window, or a longer stimulus"
         )
-    return _strip_figure(windowed, n, range_db, title)
-
-
-def _strip_figure(windowed: WindowedLevels, n: int, range_db: Range | None, title: str) -> Any:
-    """Return a figure of the first ``n`` windows."""
     width_mm = _MAP_MM * n + _STRIPS_AROUND_MM
     figure = new_figure(width_mm, _HEIGHT_MM)
     with style():

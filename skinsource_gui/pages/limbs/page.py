@@ -141,10 +141,7 @@ class LimbPage(ToolPage):
         )
         self.list.currentRowChanged.connect(self._show_chosen)
         self._jobs.changed.connect(self._show)
-        self._jobs.progressed.connect(self._show_progress)
-        self._jobs.done.connect(self._note_done)
-        self._jobs.failed.connect(self.complain)
-        self._jobs.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
+        self.follow_jobs(self._jobs, self._note_done, progressed=self._show_progress)
         self.finished.connect(self._stop_reading)
 
     @property

@@ -177,7 +177,8 @@ class MeasurePage(ToolPage):
         super().__init__(parent, "measure_page", f"Measure place {channel.place}", (760, 640))
         self._channel, self._settings = channel, settings
         self._thread, self._stop = sound_worker(self), Event()
-        self._running = self._looking = False
+        # At first it looks for devices, which ends playback and frees the sound card.
+        self._running, self._looking = False, True
         self.measurement: ChannelMeasurement | None = None
         self.setup, self.grid = setup_of(settings.preferences.sensor_text), FieldGrid()
         specs = specs_of(self.setup).items()
@@ -203,8 +204,6 @@ class MeasurePage(ToolPage):
         self.plot.exports.written.connect(lambda path: self.say(f"Saved {path.name}."))
         self._progressed.connect(self._show_progress, Qt.ConnectionType.QueuedConnection)
         self._settings.changed.connect(self._list_inputs)
-        # To look for devices ends playback and frees the sound card.
-        self._looking = True
         self.say(self._missing or _LOOKING)
         self._settings.look()
         self._show_state()

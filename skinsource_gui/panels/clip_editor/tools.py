@@ -275,9 +275,6 @@ class ViewTool(Tool):
         painter.drawEllipse(here, 3, 3)
 
 
-_FULL = 1.0
-
-
 class Pen(Tool):
     """Draws freehand; with Shift a straight line; with the right button back to zero.
 
@@ -362,7 +359,7 @@ class Pen(Tool):
     def _place(self, content: EditorContent, at: QPointF) -> tuple[float, float]:
         time_s, value = content.place(at)
         # Up to 1, or up to the largest visible value of a louder clip.
-        full = max(_FULL, content.high) if content.high > REACH else _FULL
+        full = content.high if content.high > REACH else 1.0
         return max(time_s, 0.0), min(max(value, -full), full)
 
 

@@ -545,7 +545,7 @@ class HandPanel(Panel):
         self._pointed_at: int | None = None
         self._elsewhere: int | None = None
         self.diagram = HandDiagram(drawing_of(""), self)
-        self.diagram.add_requested.connect(self._add)
+        self.diagram.add_requested.connect(partial(self._edit, edits.place_input))
         self.diagram.select_requested.connect(self._select)
         self.diagram.move_requested.connect(self._move)
         self.diagram.toggle_requested.connect(self._toggle)
@@ -669,9 +669,6 @@ class HandPanel(Panel):
         for track_id in self._ids_at(index):
             self._edit(edits.toggle_selected, track_id)
 
-    def _add(self, site: int, besides: bool = False) -> None:
-        self._edit(edits.place_input, site, besides)
-
     def _move(self, index: int, site: int, gesture: int) -> None:
         self._edit(edits.move_inputs, self._ids_at(index), site, gesture=gesture)
 
@@ -688,7 +685,7 @@ class HandPanel(Panel):
         index = self.diagram.stage.state.front_at(site)
         menu = passing_menu(self, "hand_menu")
         add = f"Add input here\t{key_text('hand', 'place_another')}"
-        menu.addAction(add, partial(self._add, site))
+        menu.addAction(add, lambda: self._edit(edits.place_input, site))
         menu.addSeparator()
         ids = () if index is None else self._ids_at(index)
         if ids and self._view.selected_clips:
@@ -705,13 +702,8 @@ def _look(track: Input) -> tuple[object, ...]:
     return track.id, track.location, track.colour, _text(track)
 
 
-def _titles(track: Input) -> list[str]:
-    """Return the kinds of waveform that an input plays, each once, at most three."""
-    titles = list(dict.fromkeys(clip.waveform.title for clip in track.clips))
-    return [*titles[:3], *(["…"] if len(titles) > 3 else [])] or [EMPTY]
-
-
 def _text(track: Input) -> str:
-    return ", ".join(
-        [*_titles(track), *(["muted"] if track.muted else []), *(["solo"] if track.solo else [])]
-    )
+    """Return the kinds of waveform that an input plays, three at most, and whether it is heard."""
+    titles = list(dict.fromkeys(clip.waveform.title for clip in track.clips)) or [EMPTY]
+    more = ["…"] * (len(titles) > 3) + ["muted"] * track.muted + ["solo"] * track.solo
+    return ", ".join(titles[:3] + more)

@@ -1,7 +1,6 @@
 """Curves and predicted figures of an actuator, as plain data, and the table of figures."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import isnan
 
 import numpy as np
@@ -42,16 +41,12 @@ _AFTER = CurveName(number=0, short="Equalised", full="Actuator with its equalise
 _PUBLISHED = CurveName(number=0, short="As listed", full="Actuator with its listed parameters")
 
 
-@lru_cache(maxsize=8)
 def frequencies_of(band_hz: Band) -> Floats:
     """Return the frequencies that are drawn on a limb with this band, (500,)."""
     low = min(_SHOWN_HZ[0], _BELOW * band_hz[0])
-    frequency_hz = np.geomspace(low, max(_SHOWN_HZ[1], _ABOVE * band_hz[1]), _POINTS)
-    frequency_hz.flags.writeable = False
-    return frequency_hz
+    return np.geomspace(low, max(_SHOWN_HZ[1], _ABOVE * band_hz[1]), _POINTS)
 
 
-@lru_cache(maxsize=8)
 def frequency_axis(band_hz: Band) -> XAxis:
     """Return the axis of these frequencies."""
     shown = frequencies_of(band_hz)

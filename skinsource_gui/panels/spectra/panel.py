@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -327,7 +327,6 @@ class SpectraPanel(SignalPanel):
         self._show_curves(curves_of(results, settings), results["limb"], notes)
 
 
-@cache
 def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
     """Return the linear and the logarithmic axis of a limb; band None: it is not known."""
     highest_hz = sample_rate_hz / 2

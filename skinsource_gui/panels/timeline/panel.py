@@ -10,7 +10,6 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSignalBlocker, QSiz
 
 from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.design import edits
-from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, View, audible_inputs
 from skinsource.design.edits.inputs import add_track
 from skinsource.design.signal_path import UnplayableInput
@@ -181,7 +180,8 @@ class TimelinePanel(Panel):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         # What each clip plays, and the clips as they were then, by their ids.
-        self._computed_clips: Mapping[int, Clip] = {}
+        # What plays in the clips whose samples are shown, by their ids.
+        self._computed_clips: Mapping[int, tuple[Any, ...]] = {}
         self._waveforms: Mapping[int, Floats] = {}
         # What each track plays before its amplitude, by its id.
         self._played: dict[int, Floats] = {}
@@ -244,7 +244,7 @@ class TimelinePanel(Panel):
         show_or_hide(self._foot, "")
         self._rate_hz = results["sample_rate_hz"]
         clips = (clip for track in results["inputs"] for clip in track.clips)
-        self._computed_clips = {clip.id: clip for clip in clips}
+        self._computed_clips = {clip.id: (clip.waveform, clip.effects) for clip in clips}
         self._waveforms = waveforms_of(results)
         self._played = played_of(results)
         self._show_heads()
@@ -263,8 +263,7 @@ class TimelinePanel(Panel):
             awaited = frozenset(
                 clip.id
                 for clip in self._design.clips
-                if clip.id not in self._computed_clips
-                or not _play_same(clip, self._computed_clips[clip.id])
+                if self._computed_clips.get(clip.id) != (clip.waveform, clip.effects)
             )
             shown = {clip: played for clip, played in shown.items() if clip not in awaited}
         self.lanes.show_samples(waveforms=shown, awaited=awaited, sample_rate_hz=self._rate_hz)
@@ -375,8 +374,3 @@ class TimelinePanel(Panel):
         if at is None or QRectF(self.lanes.rect()).contains(at):
             return self.held_over(None)
         return self.held_over(self.lanes.mapToGlobal(at).toPoint())
-
-
-def _play_same(clip: Clip, other: Clip) -> bool:
-    """Return whether two clips play the same, apart from when and how loud."""
-    return clip.waveform == other.waveform and clip.effects == other.effects

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -227,7 +227,6 @@ def measured_between(results: Mapping[str, Any], between_s: Range) -> Measured:
     )
 
 
-@cache
 def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
     """Return the time axis in ms or s, with a note on the delay."""
     late = f" · responses start ~{delay_s * 1e3:.3g} ms late (pre-trigger of the measurement)"

@@ -58,11 +58,6 @@ class Refusal:
 NOTHING_CHOSEN = "No input is selected; click one, on the hand or in the list."
 
 
-def refusal_of(error: InvalidInputError) -> Refusal:
-    """Return the refusal of a value that is not allowed."""
-    return Refusal(sentence=sentence(str(error)))
-
-
 def refusing(edit: Callable[P, R]) -> Callable[P, R | Refusal]:
     """Return an edit that gives a `Refusal` where it would raise an `InvalidInputError`.
 
@@ -75,7 +70,7 @@ def refusing(edit: Callable[P, R]) -> Callable[P, R | Refusal]:
         try:
             return checked_edit(*args, **kwargs)
         except InvalidInputError as error:
-            return refusal_of(error)
+            return Refusal(sentence=sentence(str(error)))
 
     return refusing_edit
 

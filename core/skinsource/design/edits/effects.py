@@ -77,15 +77,12 @@ def add_effect(
     chosen = chosen_clips(design, ids)
     if any(len(clip.effects) >= MAX_EFFECTS for clip in chosen):
         return _TOO_MANY_EFFECTS
-    effects_by_clip = {}
-    for clip in chosen:
-        effects = list(clip.effects)
-        effects.insert(
-            len(effects) if index is None else max(index, 0), _new_effect(effect_kind, clip)
-        )
-        effects_by_clip[clip.id] = tuple(effects)
-    verb = f"Add {effect_kind.title.lower()} to"
-    return _with_effects(design, view, verb, chosen, effects_by_clip)
+    at = MAX_EFFECTS if index is None else max(index, 0)
+    effects = {
+        clip.id: (*clip.effects[:at], _new_effect(effect_kind, clip), *clip.effects[at:])
+        for clip in chosen
+    }
+    return _with_effects(design, view, f"Add {effect_kind.title.lower()} to", effects)
 
 
 @refusing
@@ -103,7 +100,7 @@ def remove_effect(design: Design, view: View, id: int, index: int) -> Edit | Ref
     """
     clip = _with_effect(design, id, index)
     verb = f"Remove {clip.effects[index].title.lower()} from"
-    return _with_effects(design, view, verb, (clip,), {id: without_part(clip.effects, index)})
+    return _with_effects(design, view, verb, {id: without_part(clip.effects, index)})
 
 
 @refusing
@@ -122,7 +119,7 @@ def move_effect(design: Design, view: View, id: int, index: int, to: int) -> Edi
     """
     clip = _with_effect(design, id, index)
     effects = moved_part(clip.effects, index, to)
-    return _with_effects(design, view, "Reorder effects of", (clip,), {id: effects})
+    return _with_effects(design, view, "Reorder effects of", {id: effects})
 
 
 @refusing
@@ -180,8 +177,7 @@ def set_envelope(
     >>> print(edit.label)
     Change envelope of clip at 7 (II pad)
     """
-    chosen = chosen_clips(design, (id,))
-    [clip] = chosen
+    (clip,) = chosen_clips(design, (id,))
     envelope = Envelope(points)
     places = [k for k, effect in enumerate(clip.effects) if isinstance(effect, Envelope)]
     if places:
@@ -190,7 +186,7 @@ def set_envelope(
         effects = (*clip.effects, envelope)
     else:
         return _TOO_MANY_EFFECTS
-    return _with_effects(design, view, "Change envelope of", chosen, {id: effects})
+    return _with_effects(design, view, "Change envelope of", {id: effects})
 
 
 def _new_effect(kind: type[Effect], clip: Clip) -> Effect:
@@ -219,20 +215,16 @@ def _with_effect_field(
 ) -> Edit:
     effect: Any = clip.effects[index]
     effects = with_part(clip.effects, index, replace(effect, **{name: value}))
-    return _with_effects(design, view, verb, (clip,), {clip.id: effects})
+    return _with_effects(design, view, verb, {clip.id: effects})
 
 
 def _with_effects(
-    design: Design,
-    view: View,
-    verb: str,
-    chosen: tuple[Clip, ...],
-    effects_by_clip: dict[int, tuple[Effect, ...]],
+    design: Design, view: View, verb: str, effects: dict[int, tuple[Effect, ...]]
 ) -> Edit:
-    after = change_clips(
-        design, {id: {"effects": effects} for id, effects in effects_by_clip.items()}
-    )
-    return Edit(label=f"{verb} {clips_text(design, chosen)}", design=after, view=view)
+    """Give clips, by id, other effects."""
+    after = change_clips(design, {id: {"effects": each} for id, each in effects.items()})
+    label = f"{verb} {clips_text(design, present_clips(design, effects))}"
+    return Edit(label=label, design=after, view=view)
 
 
 Parts = tuple[Any, ...]
@@ -726,9 +718,9 @@ def limit_to_band(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
     band_hz = facts_of(design.limb).band_hz
     if band_hz is None:
         return _NO_BAND
-    limit, chosen = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1]), chosen_clips(design, ids)
-    effects_by_clip = {clip.id: (*clip.effects, limit) for clip in chosen}
-    return _with_effects(design, view, "Limit the band of", chosen, effects_by_clip)
+    limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
+    effects = {clip.id: (*clip.effects, limit) for clip in chosen_clips(design, ids)}
+    return _with_effects(design, view, "Limit the band of", effects)
 
 
 @refusing

@@ -179,7 +179,8 @@ def users_folder() -> Path:
 def read_preset_folder(folder: Path) -> PresetFolder:
     """Read the presets of a folder; files that cannot be read are listed as faults."""
     try:
-        paths = sorted(path for path in folder.iterdir() if _is_preset(path))
+        visible = (path for path in folder.iterdir() if not path.name.startswith("."))
+        paths = sorted(path for path in visible if path.suffix == SUFFIX)
     except (FileNotFoundError, NotADirectoryError):
         return PresetFolder()
     except OSError as error:
@@ -196,15 +197,11 @@ def read_preset_folder(folder: Path) -> PresetFolder:
             f"{path_text(folder)}: holds {len(paths)} presets, the first {MOST_FILES} are read."
         )
         faults.append(Fault(path=folder, sentence=problem))
-    entries.sort(key=lambda entry: (_by_number(entry.preset.name), entry.path))
+    entries.sort(key=lambda entry: (by_number(entry.preset.name), entry.path))
     return PresetFolder(entries=tuple(entries), faults=tuple(faults))
 
 
-def _is_preset(path: Path) -> bool:
-    return path.suffix == SUFFIX and not path.name.startswith(".")
-
-
-def _by_number(name: str) -> tuple[tuple[int, str], ...]:
+def by_number(name: str) -> tuple[tuple[int, str], ...]:
     """Return a sort key in which numbers within a name count as numbers."""
     parts = _DIGITS.split(name.casefold())
     return tuple((int(part), "") if k % 2 else (0, part) for k, part in enumerate(parts))

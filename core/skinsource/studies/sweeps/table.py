@@ -226,7 +226,8 @@ class Journal:
         if isinstance(outcome, str):
             self._write(_line({"stimulus": number, "error": outcome}))
         else:
-            self._write(_line({"stimulus": number, "metrics": _finite(outcome)}))
+            finite = {name: each if math.isfinite(each) else None for name, each in outcome.items()}
+            self._write(_line({"stimulus": number, "metrics": finite}))
 
     def close(self) -> None:
         """Close the file; it stays."""
@@ -260,10 +261,6 @@ def _is_nearly(line: bytes, expected: bytes) -> bool:
     """Return whether ``line`` is ``expected``, perhaps with a few damaged bytes."""
     damaged = sum(a != b for a, b in zip(line, expected, strict=False))
     return len(line) == len(expected) and damaged <= _MOST_DAMAGED
-
-
-def _finite(metrics: Metrics) -> dict[str, float | None]:
-    return {name: value if math.isfinite(value) else None for name, value in metrics.items()}
 
 
 def _outcome_of(tree: dict[str, Any]) -> Metrics | str:
