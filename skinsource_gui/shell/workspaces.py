@@ -186,6 +186,8 @@ class Workspaces(QObject):
         self._own: dict[str, bytes] = {}
         # Whether docks, or the lines between them, were moved since they were arranged.
         self._moved = self._is_arranging = False
+        # Whether they stand in place of a layout of the user that was too large.
+        self._fitted = False
         # Parts of the workspace that are tabs, since the window is too small.
         self._folded: tuple[Split, ...] = ()
         # Those that fold out of the lower edge.
@@ -231,6 +233,7 @@ class Workspaces(QObject):
     def reset(self) -> None:
         """Show the present workspace as it was at first."""
         self._own.pop(self._present.name, None)
+        self._fitted = False
         self._show(self._present.name)
 
     def show_scene(self) -> None:
@@ -291,6 +294,7 @@ class Workspaces(QObject):
             # A layout of Qt begins with the size of all docks, behind some numbers.
             if known and QSize(*unpack_from(">ii", content, 17)).expandedTo(room) != room:
                 self._show_anew()
+                self._fitted = True
 
     def restore(self) -> None:
         """Restore the last session; place and size of the window only where its screen is there."""
@@ -456,8 +460,9 @@ class Workspaces(QObject):
         }
 
     def _store_own(self) -> None:
-        if self._before_show is None and not self._untouched:
+        if self._before_show is None and (self._fitted or not self._untouched):
             self._own[self._present.name] = self.content()
+        self._fitted = False
 
     @contextmanager
     def _arranging(self) -> Iterator[None]:

@@ -153,8 +153,12 @@ def test_a_place_without_an_actuator_is_refused_and_named():
     design = replace(
         design_of(tone(7)), actuation=ss.Actuation(actuators=(actuator_at,), rig="bench")
     )
-    with pytest.raises(InvalidInputError, match=r"Place 7 has no actuator in the rig bench"):
+    with pytest.raises(InvalidInputError, match=r"Place 7 has no .* the rig bench.* or switch off"):
         ss.evaluate(design, "output_rms")
+    # What is off needs not be switched off.
+    not_through = replace(design.actuation, on=False)
+    with pytest.raises(InvalidInputError, match=r"inputs, or choose another rig\.$"):
+        not_through.at(7)
 
 
 def test_a_drive_that_leaves_a_velocity_is_refused_through_an_equaliser_alone():

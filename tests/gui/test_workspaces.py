@@ -276,6 +276,21 @@ def test_an_arrangement_too_large_for_the_screen_gives_its_panels_the_room_there
     assert all(sizes(window)[name].width() >= first[name].width() for name in own & set(first))
 
 
+def test_what_became_of_an_arrangement_too_large_for_the_screen_is_remembered(window, settle):
+    window.resize(*LARGE)
+    settle()
+    drag_line(window, 60)
+    layout = window.workspaces.content()
+    window.resize(*SMALL)
+    window.do("reset_workspace")
+    settle()
+    window.workspaces.put(layout)
+    settle()
+    fitted = window.workspaces.content()
+    window.workspaces.close()
+    assert window.preferences.own_arrangements["design"] == fitted != layout
+
+
 def test_a_scene_opens_on_the_stage_and_the_own_arrangement_comes_back(window, settle):
     window.docks["hand"].hide()
     own = in_sight(window)

@@ -273,9 +273,11 @@ class Actuation:
                 if actuator.place == candidate:
                     return actuator
         where = f"in the rig {self.rig}" if self.rig else "among the actuators of the design"
+        cure = "or choose another rig"
+        if self.on:
+            cure = "choose another rig, or switch off 'Predict through the actuator'"
         raise InvalidInputError(
-            f"Place {place} has no actuator {where}. Move or mute its inputs, choose another "
-            "rig, or switch off 'Predict through the actuator'."
+            f"Place {place} has no actuator {where}. Move or mute its inputs, {cure}."
         )
 
     @property

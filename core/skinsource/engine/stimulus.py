@@ -658,8 +658,9 @@ def _equalised(
     band = followed_band(stimulus.limb_band_hz, min(rate_hz, stimulus.own_rate_hz))
     for row in stimulus.driving:
         stop_if(stop)
+        model = model_of(row)
         try:
-            samples[row] = equalised(samples[row], rate_hz, model_of(row), equaliser, band_hz=band)
+            samples[row] = equalised(samples[row], rate_hz, model, equaliser, band_hz=band)
         except InvalidInputError as error:
             place = stimulus.channels[row].place
             raise InvalidInputError(f"Place {place}: {error}") from error
