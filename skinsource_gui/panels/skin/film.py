@@ -16,7 +16,7 @@ from skinsource.design.design import Design, View, played_clips
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.evaluation import evaluate
-from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, loop_of
+from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, first_onset_s, loop_of
 from skinsource.engine.time_rules import block_of
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.video import frames_per_s, video_file
@@ -293,18 +293,16 @@ def _pace(design: Design, view: View, options: FilmOptions) -> float:
     return slow_down_factor(shown, settings, options.frames_per_s, facts_of(design.limb))
 
 
-def _moves_s(design: Design) -> tuple[float, float]:
-    """Return from when until when clips play, without computing what they play."""
-    clips = played_clips(design)
-    begin_s = min((clip.onset_s for clip in clips), default=0.0)
-    return begin_s, max((clip.end_s for clip in clips), default=0.0)
+def _plays_until_s(design: Design) -> float:
+    """Return when the last clip ends, without computing what clips play."""
+    return max((clip.end_s for clip in played_clips(design)), default=0.0)
 
 
 def _end_s(design: Design, view: View) -> float:
     """Return the end of the response on the time axis."""
     limb = facts_of(design.limb)
     removed_s = limb.pre_trigger_delay_s if view.delay_removed else 0.0
-    end_s = _moves_s(design)[1] + (_taps_from_0(design, limb) - 1) / limb.sample_rate_hz
+    end_s = _plays_until_s(design) + (_taps_from_0(design, limb) - 1) / limb.sample_rate_hz
     return max(end_s - removed_s, 0.0)
 
 
@@ -371,7 +369,7 @@ def film_picture(
     exported = ExportedDesign(design, view, stop=stop)
     camera = _Camera(exported, settings, options, options.part_of(seen))
     film = film_of(view, settings, camera.end_s, options.frames_per_s, limb)
-    middle_s = sum(_moves_s(design)) / 2.0
+    middle_s = (first_onset_s(design) + _plays_until_s(design)) / 2.0
     middle_s += 0.0 if view.delay_removed else limb.pre_trigger_delay_s
     number = round((middle_s - film.begin_s) * film.frames_per_s * film.slow_motion)
     frame = np.ascontiguousarray(camera.frame(film, min(max(number, 0), film.count - 1)))
