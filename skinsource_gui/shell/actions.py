@@ -132,9 +132,15 @@ def _on(
 
 
 def _on_tracks(design: Design, view: View) -> list[int]:
-    """Return how many clips are selected on each track."""
+    """Return how many clips are selected on each track that has selected ones."""
     ids = set(view.selected_clips)
-    return [sum(clip.id in ids for clip in track.clips) for track in design.inputs]
+    counts = (sum(clip.id in ids for clip in track.clips) for track in design.inputs)
+    return [count for count in counts if count]
+
+
+def _are_on_one_track(design: Design, view: View) -> bool:
+    counts = _on_tracks(design, view)
+    return len(counts) == 1 and counts[0] > 1
 
 
 _of_clips = partial(_on, lambda _, view: view.selected_clips)
@@ -233,7 +239,7 @@ ENABLED: dict[str, Condition] = {
     "keep_match_gain": lambda design, view: view.match_gain(design) != 1.0,
     **_when(lambda _, view: bool(view.selected_clips), *OF_CLIPS),
     "join_clips": lambda design, view: max(_on_tracks(design, view), default=0) > 1,
-    "group_clips": lambda design, view: [n > 1 for n in _on_tracks(design, view) if n] == [True],
+    "group_clips": _are_on_one_track,
     "ungroup_clips": lambda design, view: any(map(is_plain_sum, _clips(design, view))),
     "equalise_on_skin": lambda design, view: bool(selected_trains(design, view)),
     "match_tracks": lambda design, view: len(set(view.selected_inputs) & set(design.ids)) > 1,

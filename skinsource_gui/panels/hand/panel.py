@@ -705,5 +705,5 @@ def _look(track: Input) -> tuple[object, ...]:
 def _text(track: Input) -> str:
     """Return the kinds of waveform that an input plays, three at most, and whether it is heard."""
     titles = list(dict.fromkeys(clip.waveform.title for clip in track.clips)) or [EMPTY]
-    more = ["…"] * (len(titles) > 3) + ["muted"] * track.muted + ["solo"] * track.solo
-    return ", ".join(titles[:3] + more)
+    more = {"…": len(titles) > 3, "muted": track.muted, "solo": track.solo}
+    return ", ".join([*titles[:3], *(word for word, holds in more.items() if holds)])

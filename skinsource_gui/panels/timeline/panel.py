@@ -179,8 +179,7 @@ class TimelinePanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        # What each clip plays, and the clips as they were then, by their ids.
-        # What plays in the clips whose samples are shown, by their ids.
+        # Samples of clips, and from which waveforms and effects they were computed, by their ids.
         self._computed_clips: Mapping[int, tuple[Any, ...]] = {}
         self._waveforms: Mapping[int, Floats] = {}
         # What each track plays before its amplitude, by its id.
